@@ -1,0 +1,1 @@
+"""Make captured motion fit the shot, in USD, without touching the original."""

@@ -1,0 +1,59 @@
+"""The two decorators of every kernel."""
+
+import hashlib
+import os
+import sys
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any, TypeVar, cast
+
+import numba
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+_OPTIONS = {"nogil": True, "error_model": "numpy"}
+
+
+def kernel(function: _Function) -> _Function:
+    """Compile a function that is called from Python, and keep the result on disk.
+
+    Numba does not notice a change in a function of another file, so the folder of the compiled
+    code is named by a hash of every kernel source that the function may call: those of this
+    package and those beside the function itself.
+    """
+    folders = (Path(__file__).parent, Path(function.__code__.co_filename).parent)
+    before = numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(cache_folder(*folders))
+    try:
+        return cast(_Function, numba.njit(cache=True, **_OPTIONS)(function))
+    finally:
+        numba.config.CACHE_DIR = before
+
+
+def inlined(function: _Function) -> _Function:
+    """Compile a function that only kernels call: it becomes part of each of them."""
+    return cast(_Function, numba.njit(**_OPTIONS)(function))
+
+
+def cache_folder(*folders: Path) -> Path:
+    """Return where the code compiled from some folders is kept; NUMBA_CACHE_DIR wins."""
+    if os.environ.get("NUMBA_CACHE_DIR"):
+        return Path(os.environ["NUMBA_CACHE_DIR"])
+    return _user_cache() / "usdmotion" / "kernels" / _source_hash(folders)
+
+
+def _user_cache() -> Path:
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local"))
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches"
+    return Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
+
+
+@cache
+def _source_hash(folders: tuple[Path, ...]) -> str:
+    digest = hashlib.sha256()
+    for folder in sorted(set(folders)):
+        for source in sorted(folder.glob("*.py")):
+            digest.update(source.read_bytes())
+    return digest.hexdigest()[:16]
