@@ -15,8 +15,11 @@ from usdmotion.kernels.rotations import (
     slerp,
     to_vector,
 )
+from usdmotion.kernels.table import Kind, TaskTable
 
 __all__ = [
+    "Kind",
+    "TaskTable",
     "chordal_mean",
     "compose",
     "conjugate",

@@ -1,0 +1,98 @@
+"""What every kind of constraint has in common."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from usdmotion.arrays import Bools, Floats
+from usdmotion.cast import Cast
+from usdmotion.constraints.attributes import attribute
+from usdmotion.constraints.goal import Goal, Shares
+from usdmotion.curves import ease
+from usdmotion.tasks import Demand, Task, Term
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Constraint:
+    """Something that a motion must obey, with its rank among the others."""
+
+    schema: ClassVar[str]
+    """Name of the prim type, for example `MotionPositionConstraint`."""
+    unit: ClassVar[str] = "m"
+    """Unit of what is left of it: `m` or `deg`."""
+
+    path: str
+    """Path of its prim."""
+    skeleton: str
+    """Path of the Skeleton whose joint it holds."""
+    goals: tuple[Goal, ...] = ()
+    """Where it wants its effector; none keeps the original trajectory."""
+    priority: int = attribute(1)
+    """Rank: 1 is enforced first; only the order of the numbers counts."""
+    weight: Floats | float = attribute(1.0, animated=True)
+    """Share inside one priority, one number or shape (frame_count,)."""
+    activity: Floats | float = attribute(1.0, animated=True)
+    """0..1, one number or shape (frame_count,)."""
+    times: tuple[float, ...] = attribute((), unit="time")
+    """Key times of its easing [s]: none, two, or four."""
+    joint: str = attribute("")
+    """Token of the effector's joint."""
+    point: Floats = attribute(lambda: np.zeros(3), unit="length")
+    """The effector's point in the joint's frame [m], shape (3,) or (frame_count, 3)."""
+    recruits: tuple[str, ...] = attribute(())
+    """Tokens of the joints it may move; none: from the effector's joint to the root."""
+    tolerance: float = attribute(0.0, unit="length")
+    """What counts as met [m]; 0 is 1 mm."""
+
+    def tasks(self, cast: Cast) -> Iterable[Task]:
+        """Yield what a solver has to do for it; each kind says how."""
+        raise NotImplementedError
+
+    def demand(self, cast: Cast) -> Demand:
+        """Return its tasks with what they share.
+
+        Raises:
+            SceneError: It names a joint that is not there, or asks for what cannot be.
+        """
+        frames = cast.frame_count
+        activity = np.clip(self.activity * ease(cast.times, self.times), 0.0, 1.0)
+        recruits = np.zeros(cast.node_count, dtype=np.bool_)
+        recruits[list(self.recruited(cast))] = True
+        return Demand(
+            tasks=tuple(self.tasks(cast)),
+            priority=self.priority,
+            weight=np.broadcast_to(np.maximum(self.weight, 0.0), frames),
+            activity=np.broadcast_to(activity, frames),
+            recruits=recruits,
+            moves=frozenset(self.movable(cast)),
+            plateau=self.plateau(cast),
+        )
+
+    def node(self, cast: Cast) -> int:
+        """Return the node of the effector's joint."""
+        return cast.node((self.skeleton, self.joint), self.path)
+
+    def effector(self, cast: Cast) -> Term:
+        """Return the effector's point."""
+        return Term(self.node(cast), self.point)
+
+    def recruited(self, cast: Cast) -> Iterable[int]:
+        """Return the nodes that it may move."""
+        if self.recruits:
+            return [cast.node((self.skeleton, token), self.path) for token in self.recruits]
+        return cast.chain(self.node(cast))
+
+    def movable(self, cast: Cast) -> Iterable[int]:
+        """Return every node that can move what it measures, moving goals included."""
+        joints = [self.node(cast)]
+        joints += [cast.node(goal.joint, self.path) for goal in self.goals if goal.joint]
+        return {node for joint in joints for node in cast.ancestors(joint)}
+
+    def plateau(self, cast: Cast) -> Bools:
+        """Return the frames where it is fully on, and so is one of its goals if it has any."""
+        activity = np.broadcast_to(self.activity * ease(cast.times, self.times), cast.frame_count)
+        full = activity >= 1.0 - 1e-9
+        on_goal = full & (Shares.of(self.goals, cast.times).blend >= 1.0 - 1e-9)
+        return on_goal if on_goal.any() else full

@@ -1,0 +1,68 @@
+"""What a solver reads: every task of a problem in one table of plain arrays.
+
+T tasks in rank order over F frames and N nodes; K terms and G orientation goals, each belonging to
+one task. A node is a joint of the cast, or a skeleton's space.
+"""
+
+from enum import IntEnum
+from typing import NamedTuple
+
+from usdmotion.arrays import Bools, Floats, Ints
+
+
+class Kind(IntEnum):
+    """The primitive kinds of tasks."""
+
+    POINT = 0
+    """Σ coefficient · point of the terms is at the target [m]."""
+    ROTATION = 1
+    """The first term's node, turned by the offset, has the orientation asked for."""
+
+
+class TaskTable(NamedTuple):
+    """One row a task; the meaning of each column is the same for every solver."""
+
+    kind: Ints
+    """(T,) a `Kind`."""
+    level: Ints
+    """(T,) 0 is enforced first; ascending."""
+    constraint: Ints
+    """(T,) index of the constraint that the task belongs to."""
+    weight: Floats
+    """(F, T) share of the squared error inside a level."""
+    activity: Floats
+    """(F, T) 0 absent, 1 asked for, between: let go to what is there without it."""
+    recruits: Bools
+    """(T, N) the nodes that the task may move."""
+    axes: Bools
+    """(T, 3) the axes along which a point is held."""
+    axes_node: Ints
+    """(T,) node in whose frame the axes are, -1 for the world."""
+    axes_rotation: Floats
+    """(F, T, 4) orientation of the axes in that frame."""
+    first_term: Ints
+    """(T + 1,) the terms of task t are first_term[t] to first_term[t + 1]."""
+    term_node: Ints
+    """(K,) the node that a point is fixed to."""
+    term_point: Floats
+    """(F, K, 3) the point in the node's frame [m]."""
+    term_coefficient: Floats
+    """(F, K) its factor in the sum."""
+    target: Floats
+    """(F, T, 3) what the sum of a POINT task should be [m]."""
+    offset: Floats
+    """(T, 4) rotation in the node's frame, applied before it is compared."""
+    free_axis: Floats
+    """(T, 3) axis of the node's frame about which turning is free; zero for none."""
+    first_goal: Ints
+    """(T + 1,) the goals of a ROTATION task t are first_goal[t] to first_goal[t + 1]."""
+    goal_node: Ints
+    """(G,) node in whose frame a goal is, -1 for the world."""
+    goal_rotation: Floats
+    """(F, G, 4) orientation in that frame."""
+    goal_weight: Floats
+    """(F, G) its part in the mean of the goals."""
+    original: Floats
+    """(F, T, 4) orientation that is kept where no goal is active."""
+    blend: Floats
+    """(F, T) 0 the original, 1 the mean of the goals."""
