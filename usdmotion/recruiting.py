@@ -1,15 +1,15 @@
 """Who may move what: the rule that keeps a lower rank from disturbing a higher one.
 
 2003, section 3.1: for a constraint a of higher rank than b, `Rec(b) ∩ C ⊂ Rec(a)`, where C are the
-joints that can move both. Where b moves a joint under a that a may not move itself, a cannot take the
-movement back, and the order of the ranks is broken without a word.
+joints that can move both. Where b moves a joint under a that a may not move itself, a cannot take
+the movement back, and the order of the ranks is broken without a word.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 Parents = Mapping[str, str | None]
-"""The parent of every joint of one skeleton, None for a top joint; parents before their children."""
+"""The parent of every joint of one skeleton, None for a top joint; parents come first."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,6 +1,6 @@
 """The usdMotion schema: the scene description of usdmotion, usable without the rest of it.
 
-The folder of this package is a codeless USD plugin. Add `plugin_path()` to `PXR_PLUGINPATH_NAME`, or
+The folder of this package is a codeless USD plugin. Add `plugin_path()` to PXR_PLUGINPATH_NAME, or
 hand it to `Plug.Registry().RegisterPlugins` before the first stage is opened. Nothing here imports
 `pxr`, so it can be asked before the environment of a USD process is complete.
 """
@@ -20,7 +20,7 @@ def plugin_path() -> Path:
 
 
 def validation_path() -> Path | None:
-    """Return the folder of the validators, which come with usdmotion; None where it is not there."""
+    """Return the folder of the validators, which come with usdmotion; None without it."""
     usdmotion = find_spec("usdmotion")  # a top package is found without being imported
     if usdmotion is None or usdmotion.origin is None:
         return None

@@ -1,0 +1,89 @@
+"""What cannot be right on a stage, found prim by prim without solving anything.
+
+One list of plain functions, used by `usdmotion inspect` on every USD and offered to USD's own
+validation where that takes validators in Python.
+"""
+
+from pxr import Usd
+
+from usdmotion.usd.faults.arrays import find_wrong_arrays, find_wrong_body_arrays
+from usdmotion.usd.faults.fault import Check, Fault, Severity
+from usdmotion.usd.faults.joints import (
+    find_missing_effectors,
+    find_unknown_joints,
+    find_unknown_parts,
+)
+from usdmotion.usd.faults.kinds import (
+    find_empty_distances,
+    find_lost_goals,
+    find_missing_regions,
+    find_zero_axes,
+)
+from usdmotion.usd.faults.recruits import find_broken_recruiting
+from usdmotion.usd.faults.skeletons import (
+    find_unreadable_animations,
+    find_unreadable_skeletons,
+    find_unsolvable_edits,
+    find_unusable_bindings,
+)
+from usdmotion.usd.faults.targets import find_wrong_targets
+from usdmotion.usd.faults.times import (
+    find_wrong_key_times,
+    find_wrong_ranges,
+    find_wrong_trajectories,
+)
+from usdmotion.usd.faults.values import (
+    find_misapplied_apis,
+    find_missing_apis,
+    find_wrong_values,
+)
+
+__all__ = ["CHECKS", "Check", "Fault", "Severity", "find"]
+
+EDIT = ("UsdMotionEdit",)
+CONSTRAINT = ("UsdMotionConstraint",)
+GOAL = ("UsdMotionGoal",)
+DETECTION = ("UsdMotionDetection",)
+NORMALIZED = ("UsdMotionNormalized",)
+SKELETON = ("UsdSkelSkeleton",)
+ANIMATION = ("UsdSkelAnimation",)
+BODY = ("UsdMotionSkeletonAPI",)
+RESULT = ("UsdMotionResultAPI",)
+OURS = EDIT + CONSTRAINT + GOAL + DETECTION + NORMALIZED
+
+CHECKS = (
+    Check("Skeleton", SKELETON, find_unreadable_skeletons),
+    Check("Binding", SKELETON, find_unusable_bindings),
+    Check("Animation", ANIMATION, find_unreadable_animations),
+    Check("MisappliedAPI", BODY + RESULT, find_misapplied_apis),
+    Check("MissingAPI", SKELETON + ANIMATION, find_missing_apis),
+    Check("Values", OURS + BODY + RESULT, find_wrong_values),
+    Check("BodyArrays", BODY, find_wrong_body_arrays),
+    Check("Parts", BODY, find_unknown_parts),
+    Check("Edit", EDIT, find_unsolvable_edits),
+    Check("Range", EDIT, find_wrong_ranges),
+    Check("Targets", OURS, find_wrong_targets),
+    Check("Effector", CONSTRAINT, find_missing_effectors),
+    Check("JointTokens", CONSTRAINT + GOAL + DETECTION, find_unknown_joints),
+    Check("KeyTimes", CONSTRAINT + GOAL, find_wrong_key_times),
+    Check("Arrays", CONSTRAINT + NORMALIZED, find_wrong_arrays),
+    Check("Trajectory", ("UsdMotionTrajectoryConstraint",), find_wrong_trajectories),
+    Check("Distance", ("UsdMotionDistanceConstraint",), find_empty_distances),
+    Check("Region", ("UsdMotionRegionConstraint",), find_missing_regions),
+    Check("Axis", ("UsdMotionAimConstraint", "UsdMotionContactConstraint"), find_zero_axes),
+    Check("Goal", GOAL, find_lost_goals),
+    Check("Recruiting", EDIT, find_broken_recruiting),
+)
+"""Every check, in the order in which a reader of the list would mend things."""
+
+
+def find(stage: Usd.Stage) -> list[Fault]:
+    """List the faults of a stage, prim by prim in the order of the stage."""
+    prims = Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
+    return [
+        fault
+        for prim in prims
+        for check in CHECKS
+        if check.concerns(prim)
+        for fault in check.find(prim)
+    ]

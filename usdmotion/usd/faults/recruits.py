@@ -1,0 +1,103 @@
+"""Constraints of a lower rank that may move what a higher one may not."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from pxr import Usd, UsdSkel
+
+from usdmotion.recruiting import Claim, Parents, chain, violations
+from usdmotion.usd.faults.fault import Fault, warning
+from usdmotion.usd.faults.relations import (
+    bound_animation,
+    edit_of,
+    is_a,
+    joints_of,
+    skeleton_of,
+    target,
+    value,
+)
+
+
+def find_broken_recruiting(prim: Usd.Prim) -> Iterator[Fault]:
+    """Find constraints of an edit that may move a joint under one of higher rank that may not."""
+    skeleton = skeleton_of(prim)
+    if skeleton is None or not _is_tree(joints_of(skeleton)):
+        return  # other checks say so
+    parents = _parents(joints_of(skeleton))
+    root = _root(prim, skeleton, parents)
+    claims = [
+        _claim(constraint, skeleton, parents, root)
+        for constraint in Usd.PrimRange(prim)
+        if is_a(constraint, "UsdMotionConstraint") and edit_of(constraint) == prim
+    ]
+    for broken in violations(parents, claims):
+        joints = ", ".join(f"'{joint}'" for joint in broken.joints)
+        low = prim.GetStage().GetPrimAtPath(broken.low)
+        yield warning(
+            low,
+            "RecruitingRule",
+            f"may move {joints} under <{broken.high}>, which is of a higher rank and does not "
+            f"recruit them; add them to its usdmotion:recruits, or take them from this one",
+        )
+
+
+def _is_tree(joints: tuple[str, ...]) -> bool:
+    return bool(joints) and bool(UsdSkel.Topology(list(joints)).Validate()[0])
+
+
+def _parents(joints: tuple[str, ...]) -> Parents:
+    indices = UsdSkel.Topology(list(joints)).GetParentIndices()
+    return {
+        joint: joints[index] if index >= 0 else None
+        for joint, index in zip(joints, indices, strict=True)
+    }
+
+
+def _root(edit: Usd.Prim, skeleton: Usd.Prim, parents: Parents) -> str:
+    """Return the joint with six degrees of freedom: pelvis, else first that travels, else top."""
+    joints = tuple(parents)
+    parts = [str(part) for part in value(skeleton, "usdmotion:parts", ())]
+    if "humanoid_root" in parts[: len(joints)]:
+        return joints[parts.index("humanoid_root")]
+    animation = target(edit, "usdmotion:source") or bound_animation(skeleton)
+    travelling = _travelling(animation) if animation else frozenset()
+    by_depth = sorted(joints, key=lambda joint: len(chain(parents, joint)))
+    return next((joint for joint in by_depth if joint in travelling), by_depth[0])
+
+
+def _travelling(animation: Usd.Prim) -> frozenset[str]:
+    """Return the joints whose translation changes over time."""
+    joints = joints_of(animation)
+    attribute = UsdSkel.Animation(animation).GetTranslationsAttr()
+    values = [np.asarray(attribute.Get(time)) for time in attribute.GetTimeSamples()]
+    if not values or any(each.shape != (len(joints), 3) for each in values):
+        return frozenset()
+    moving = (np.ptp(np.stack(values), axis=0) > 0).any(axis=1)
+    return frozenset(joints[index] for index in np.flatnonzero(moving))
+
+
+def _claim(constraint: Usd.Prim, skeleton: Usd.Prim, parents: Parents, root: str) -> Claim:
+    ends = {str(value(constraint, "usdmotion:joint", ""))}
+    if (target(constraint, "usdmotion:otherSkeleton") or skeleton) == skeleton:
+        ends.add(str(value(constraint, "usdmotion:otherJoint", "")))
+    ends &= set(parents)
+    if is_a(constraint, "UsdMotionCenterOfMassConstraint"):
+        ends = set(parents)
+    default = {joint for end in ends for joint in chain(parents, end, root)}
+    recruits = {str(joint) for joint in value(constraint, "usdmotion:recruits", ())}
+    return Claim(
+        name=str(constraint.GetPath()),
+        priority=int(value(constraint, "usdmotion:priority", 1)),
+        effectors=frozenset(ends | (_frames(constraint, skeleton) & set(parents))),
+        recruits=frozenset((recruits or default) & set(parents)),
+    )
+
+
+def _frames(constraint: Usd.Prim, skeleton: Usd.Prim) -> set[str]:
+    """Return the joints of this skeleton in whose frame the constraint has its targets."""
+    goals = [child for child in constraint.GetChildren() if is_a(child, "UsdMotionGoal")]
+    return {
+        str(value(prim, "usdmotion:spaceJoint", ""))
+        for prim in [constraint, *goals]
+        if target(prim, "usdmotion:space") == skeleton
+    }
