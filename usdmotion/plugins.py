@@ -1,0 +1,260 @@
+"""The plugin host: finds plugins, checks their contract, sets broken ones aside by name."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, is_dataclass, replace
+from functools import cache, cached_property
+from importlib.metadata import EntryPoint, entry_points
+from pathlib import Path
+from typing import Any, TypeVar
+
+import pluggy
+
+from usdmotion import hookspecs
+from usdmotion.constraints import Constraint, attributes, built_in
+from usdmotion.errors import InputError, OptionError, PluginError
+from usdmotion.options import options
+from usdmotion.recording import Reader
+from usdmotion.solving import Solver
+
+_Kind = TypeVar("_Kind")
+
+GROUP = "usdmotion"
+"""The group of entry points in which plugins declare themselves."""
+
+
+@dataclass(frozen=True)
+class Plugin:
+    """One plugin as it was found; what is broken registers nothing and says why."""
+
+    name: str
+    """Name of its entry point."""
+    distribution: str
+    """Name and version of the package that brings it; "" where there is none."""
+    module: str
+    """What its entry point names."""
+    solvers: tuple[type[Solver], ...] = ()
+    readers: tuple[type[Reader], ...] = ()
+    constraints: tuple[type[Constraint], ...] = ()
+    schemas: tuple[Path, ...] = ()
+    fault: str = ""
+    """Why it was set aside, in one sentence; "" where it was not."""
+
+    @property
+    def names(self) -> tuple[tuple[str, str], ...]:
+        """What it registers: kind of thing and name."""
+        return (
+            *(("solver", solver.name) for solver in self.solvers),
+            *(("reader", reader.name) for reader in self.readers),
+            *(("constraint", kind.schema) for kind in self.constraints),
+            *(("schema", str(folder)) for folder in self.schemas),
+        )
+
+
+@dataclass(frozen=True)
+class Host:
+    """What all plugins offer together, the host's own constraint kinds included."""
+
+    plugins: tuple[Plugin, ...]
+    """The healthy and the broken ones, our own first, then by package and name."""
+
+    @cached_property
+    def solvers(self) -> dict[str, type[Solver]]:
+        """Solver classes by name."""
+        return {solver.name: solver for plugin in self.plugins for solver in plugin.solvers}
+
+    @cached_property
+    def readers(self) -> dict[str, type[Reader]]:
+        """Reader classes by name."""
+        return {reader.name: reader for plugin in self.plugins for reader in plugin.readers}
+
+    @cached_property
+    def constraints(self) -> tuple[type[Constraint], ...]:
+        """Constraint kinds, the built-in ones first."""
+        return (*built_in(), *(kind for plugin in self.plugins for kind in plugin.constraints))
+
+    @cached_property
+    def schemas(self) -> tuple[Path, ...]:
+        """Folders with a plugInfo.json that plugins bring."""
+        return tuple(folder for plugin in self.plugins for folder in plugin.schemas)
+
+    def solver(self, name: str) -> type[Solver]:
+        """Return the solver class of a name.
+
+        Raises:
+            OptionError: There is none; the sentence lists those that are there.
+        """
+        return _named(self.solvers, name, "solver")
+
+    def reader(self, name: str) -> type[Reader]:
+        """Return the reader class of a name.
+
+        Raises:
+            OptionError: There is none; the sentence lists those that are there.
+        """
+        return _named(self.readers, name, "reader")
+
+    def reader_of(self, path: Path) -> type[Reader]:
+        """Return the reader class for a file, by the ending of its name.
+
+        Raises:
+            InputError: No reader reads such files; the sentence lists what can be read.
+        """
+        for reader in self.readers.values():
+            if path.name.lower().endswith(reader.suffixes):
+                return reader
+        known = ", ".join(suffix for reader in self.readers.values() for suffix in reader.suffixes)
+        raise InputError(f"{path}: no reader for such files; there are readers for: {known}")
+
+
+@cache
+def host() -> Host:
+    """Return the host with every plugin that is installed, loaded once."""
+    return gather(entry_points(group=GROUP))
+
+
+def gather(entries: Iterable[EntryPoint]) -> Host:
+    """Return the host of some entry points; of two equal names the first found is kept."""
+    ordered = sorted(entries, key=lambda entry: (not _ours(entry), _package(entry), entry.name))
+    plugins: list[Plugin] = []
+    taken = {("constraint", kind.schema): "usdmotion itself" for kind in built_in()}
+    for entry in ordered:
+        plugin = _load(entry)
+        fault = _clash(plugin, taken)
+        if fault:
+            plugin = Plugin(plugin.name, plugin.distribution, plugin.module, fault=fault)
+        taken |= {name: f"the plugin '{plugin.name}'" for name in plugin.names}
+        plugins.append(plugin)
+    return Host(tuple(plugins))
+
+
+def _clash(plugin: Plugin, taken: Mapping[tuple[str, str], str]) -> str:
+    for index, (kind, name) in enumerate(plugin.names):
+        twice = (kind, name) in plugin.names[:index]
+        owner = "it" if twice else taken.get((kind, name), "")
+        if owner:
+            return f"its {kind} '{name}' has the name of one that {owner} brings already"
+    return ""
+
+
+def _load(entry: EntryPoint) -> Plugin:
+    plugin = Plugin(entry.name, _package(entry), entry.value)
+    try:
+        return replace(plugin, **_registered(entry.load()))
+    except PluginError as error:
+        fault = str(error)
+    except (Exception, SystemExit) as error:  # a stranger's code may raise anything
+        fault = f"{type(error).__name__}: {' '.join(str(error).split())}"
+    return replace(plugin, fault=fault)
+
+
+def _registered(module: object) -> dict[str, Any]:
+    """Return what a plugin registers, checked, by the fields of `Plugin`."""
+    manager = pluggy.PluginManager("usdmotion")
+    manager.add_hookspecs(hookspecs)
+    manager.register(module)
+    manager.check_pending()
+    if not manager.get_hookcallers(module):
+        raise PluginError("it has no hook; mark its functions with usdmotion.hookimpl")
+    found: dict[str, Any] = {}
+    for field, check in _CHECKS.items():
+        hook = f"register_{field}"
+        found[field] = tuple(_returned(hook, getattr(manager.hook, hook)()))
+        for each in found[field]:
+            check(each)
+    return found
+
+
+def _returned(hook: str, results: Iterable[object]) -> Iterable[object]:
+    for result in results:
+        if isinstance(result, (str, type)) or not isinstance(result, Iterable):
+            raise PluginError(f"{hook} returns {result!r}, which is not a list")
+        yield from result
+
+
+def _check_solver(solver: object) -> None:
+    _check_class(solver, "solver", "solve")
+
+
+def _check_reader(reader: object) -> None:
+    _check_class(reader, "reader", "read")
+    suffixes = getattr(reader, "suffixes", None)
+    fine = isinstance(suffixes, tuple) and all(
+        isinstance(each, str) and each.startswith(".") and each == each.lower() for each in suffixes
+    )
+    if not suffixes or not fine:
+        raise PluginError(
+            f"its reader {reader!r} has the suffixes {suffixes!r}; name some, "
+            "as a tuple of lower-case endings with the dot"
+        )
+
+
+def _check_class(offered: object, kind: str, verb: str) -> None:
+    if not isinstance(offered, type):
+        raise PluginError(f"it registers {offered!r} as a {kind}, which is not a class")
+    name = getattr(offered, "name", None)
+    if not isinstance(name, str) or not name.isidentifier():
+        raise PluginError(f"its {kind} {offered.__name__} needs a `name` that is an identifier")
+    if not callable(getattr(offered, verb, None)):
+        raise PluginError(f"its {kind} '{name}' has no method `{verb}`")
+    _check_options(offered, f"{kind} '{name}'")
+    try:
+        offered()
+    except Exception as error:
+        raise PluginError(f"its {kind} '{name}' cannot be made by {name}(): {error}") from error
+
+
+def _check_options(offered: type, owner: str) -> None:
+    for option in options(offered):
+        if not isinstance(option.default, (bool, int, float, str)):
+            raise PluginError(f"its {owner} has an option '{option.name}' that is no plain value")
+        if not option.doc.strip():
+            raise PluginError(f"its {owner} does not say what the option '{option.name}' is")
+        try:
+            option.parse(option.default)
+        except OptionError as error:
+            raise PluginError(f"its {owner} has a default outside its limits: {error}") from error
+
+
+def _check_constraint(kind: object) -> None:
+    if not isinstance(kind, type) or not issubclass(kind, Constraint):
+        raise PluginError(f"it registers {kind!r} as a constraint, which is no Constraint class")
+    schema = getattr(kind, "schema", None)
+    if not isinstance(schema, str) or not schema.isidentifier():
+        raise PluginError(f"its constraint {kind.__name__} needs the `schema` of its prims")
+    if "__dataclass_params__" not in vars(kind) or not is_dataclass(kind):
+        raise PluginError(f"its constraint '{schema}' is not a dataclass")
+    if kind.tasks is Constraint.tasks:
+        raise PluginError(f"its constraint '{schema}' has no method `tasks`")
+    if kind.unit not in ("m", "deg"):
+        raise PluginError(f"its constraint '{schema}' has the unit '{kind.unit}', not 'm' or 'deg'")
+    attributes(kind)
+
+
+def _check_schema(folder: object) -> None:
+    if not isinstance(folder, Path) or not (folder / "plugInfo.json").is_file():
+        raise PluginError(
+            f"its schema {str(folder)!r} is not the path of a folder with plugInfo.json"
+        )
+
+
+_CHECKS: dict[str, Callable[[object], None]] = {
+    "solvers": _check_solver,
+    "readers": _check_reader,
+    "constraints": _check_constraint,
+    "schemas": _check_schema,
+}
+
+
+def _package(entry: EntryPoint) -> str:
+    return f"{entry.dist.name} {entry.dist.version}" if entry.dist else ""
+
+
+def _ours(entry: EntryPoint) -> bool:
+    return entry.dist is not None and entry.dist.name == "usdmotion"
+
+
+def _named(known: Mapping[str, _Kind], name: str, kind: str) -> _Kind:
+    if name not in known:
+        names = ", ".join(known) or "none"
+        raise OptionError(f"there is no {kind} '{name}'; there are: {names}")
+    return known[name]
