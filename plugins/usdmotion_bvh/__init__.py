@@ -1,0 +1,11 @@
+"""Reads BVH files of any maker into recordings."""
+
+from usdmotion.hookspecs import hookimpl
+from usdmotion.recording import Reader
+from usdmotion_bvh.reader import BvhReader
+
+
+@hookimpl
+def register_readers() -> list[type[Reader]]:
+    """Return the readers of this package."""
+    return [BvhReader]
