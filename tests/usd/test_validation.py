@@ -309,6 +309,11 @@ def test_every_fault_that_can_be_found_has_a_case():
     assert {call.split('"')[1] for call in calls} == {name for name, _ in CASES}
 
 
+def test_one_fault_of_a_skeleton_is_not_told_by_everything_that_uses_it(stage):
+    put(SKELETON, "joints", [])(stage)
+    assert [fault.name for fault in find(stage)] == ["NoJoints"]
+
+
 def test_an_unknown_joint_is_answered_with_what_was_meant(stage):
     put(f"{EDIT}/Hand", "usdmotion:joint", "hand")(stage)
     (fault,) = find(stage)

@@ -79,11 +79,13 @@ CHECKS = (
 
 def find(stage: Usd.Stage) -> list[Fault]:
     """List the faults of a stage, prim by prim in the order of the stage."""
-    prims = Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
-    return [
-        fault
-        for prim in prims
-        for check in CHECKS
-        if check.concerns(prim)
-        for fault in check.find(prim)
-    ]
+    checks: dict[tuple[str, ...], list[Check]] = {}
+    faults: list[Fault] = []
+    for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()):
+        # Prims of a kind have the same checks, and a shot has many prims of few kinds.
+        kind = (str(prim.GetTypeName()), *prim.GetAppliedSchemas())
+        if kind not in checks:
+            checks[kind] = [check for check in CHECKS if check.concerns(prim)]
+        for check in checks[kind]:
+            faults.extend(check.find(prim))
+    return faults

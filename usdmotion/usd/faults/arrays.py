@@ -34,7 +34,7 @@ def find_wrong_body_arrays(prim: Usd.Prim) -> Iterator[Fault]:
     count = len(joints_of(prim))
     for name in PARALLEL_TO_JOINTS:
         length = len(value(prim, f"usdmotion:{name}", ()))
-        if length not in (0, count):
+        if count and length not in (0, count):
             yield error(
                 prim,
                 "ArrayLength",

@@ -55,7 +55,8 @@ def find_unknown_joints(prim: Usd.Prim) -> Iterator[Fault]:
             continue
         known = joints_of(skeleton)
         for token in tokens:
-            if token not in known:
+            # A skeleton without any joints is a fault of its own, and said once.
+            if known and token not in known:
                 yield error(
                     prim,
                     "UnknownJoint",

@@ -48,7 +48,9 @@ def find_unusable_bindings(prim: Usd.Prim) -> Iterator[Fault]:
             "NoAnimation",
             "has no animation bound, so it rests; apply SkelBindingAPI, set skel:animationSource",
         )
-    elif not set(joints_of(animation)) & set(joints_of(prim)):
+        return
+    ours, theirs = joints_of(prim), joints_of(animation)
+    if ours and theirs and not set(ours) & set(theirs):
         yield error(
             prim,
             "AnimationJoints",
