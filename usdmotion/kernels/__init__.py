@@ -4,7 +4,9 @@
 """
 
 from usdmotion.kernels.compiling import inlined, kernel
-from usdmotion.kernels.kinematics import forward, relative, world_points
+from usdmotion.kernels.jacobians import number_columns, task_rows
+from usdmotion.kernels.kinematics import forward, place, relative, world_points
+from usdmotion.kernels.residuals import residuals, task_error
 from usdmotion.kernels.rotations import (
     chordal_mean,
     compose,
@@ -28,9 +30,14 @@ __all__ = [
     "inlined",
     "kernel",
     "multiply",
+    "number_columns",
+    "place",
     "relative",
+    "residuals",
     "rotate",
     "slerp",
+    "task_error",
+    "task_rows",
     "to_vector",
     "world_points",
 ]

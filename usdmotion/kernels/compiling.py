@@ -32,7 +32,10 @@ def kernel(function: _Function) -> _Function:
 
 def inlined(function: _Function) -> _Function:
     """Compile a function that only kernels call: it becomes part of each of them."""
-    return cast(_Function, numba.njit(**_OPTIONS)(function))
+    return cast(
+        _Function,
+        numba.njit(no_cpython_wrapper=True, no_cfunc_wrapper=True, **_OPTIONS)(function),
+    )
 
 
 def cache_folder(*folders: Path) -> Path:

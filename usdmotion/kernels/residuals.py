@@ -1,0 +1,168 @@
+"""What is left of each task in a pose, and the target orientation of the rotation tasks."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from usdmotion.arrays import Floats
+from usdmotion.kernels.compiling import inlined, kernel
+from usdmotion.kernels.quaternions import (
+    Quaternion,
+    Vector,
+    cross,
+    interpolated,
+    inverse,
+    product,
+    rotation_vector,
+    turned,
+    unit,
+)
+from usdmotion.kernels.table import Kind, TaskTable
+
+ROTATION = int(Kind.ROTATION)
+
+
+@kernel
+def residuals(table: TaskTable, positions: Floats, orientations: Floats) -> Floats:
+    """(F, N, 3), (F, N, 4) to (F, T): metres for points, radians for rotations."""
+    frames, count = positions.shape[0], table.kind.shape[0]
+    errors = np.empty((frames, count))
+    for frame in range(frames):
+        for task in range(count):
+            error = task_error(table, frame, task, positions[frame], orientations[frame])
+            errors[frame, task] = held_length(table, frame, task, error, orientations[frame])
+    return errors
+
+
+@inlined
+def task_error(
+    table: TaskTable, frame: int, task: int, positions: Floats, orientations: Floats
+) -> Vector:
+    """Return the world vector from what is to what is asked: metres, or a rotation vector."""
+    if table.kind[task] == ROTATION:
+        return _turn_error(table, frame, task, orientations)
+    x, y, z = table.target[frame, task]
+    for term in range(table.first_term[task], table.first_term[task + 1]):
+        node = table.term_node[term]
+        factor = table.term_coefficient[frame, term]
+        point = turned(orientations[node], table.term_point[frame, term])
+        x -= factor * (positions[node, 0] + point[0])
+        y -= factor * (positions[node, 1] + point[1])
+        z -= factor * (positions[node, 2] + point[2])
+    return (x, y, z)
+
+
+@inlined
+def held_length(table: TaskTable, frame: int, task: int, error: Any, orientations: Floats) -> float:
+    """Return the length of an error along the directions that the task holds."""
+    square = 0.0
+    for axis in range(3):
+        if table.axes[task, axis]:
+            direction = held_axis(table, frame, task, axis, orientations)
+            along = direction[0] * error[0] + direction[1] * error[1] + direction[2] * error[2]
+            square += along * along
+    return math.sqrt(square)
+
+
+@inlined
+def held_axis(table: TaskTable, frame: int, task: int, axis: int, orientations: Floats) -> Vector:
+    """Return the world direction of one of the axes along which a point is held."""
+    x = 1.0 if axis == 0 else 0.0
+    y = 1.0 if axis == 1 else 0.0
+    z = 1.0 if axis == 2 else 0.0
+    direction = turned(table.axes_rotation[frame, task], (x, y, z))
+    node = table.axes_node[task]
+    if node >= 0:
+        return turned(orientations[node], direction)
+    return direction
+
+
+@inlined
+def _turn_error(table: TaskTable, frame: int, task: int, orientations: Floats) -> Vector:
+    node = table.term_node[table.first_term[task]]
+    asked = asked_orientation(table, frame, task, orientations)
+    free = table.free_axis[task]
+    if free[0] == 0.0 and free[1] == 0.0 and free[2] == 0.0:
+        present = product(orientations[node], table.offset[task])
+        return rotation_vector(product(asked, inverse(present)))
+    present_axis = turned(orientations[node], free)
+    asked_axis = turned(asked, turned(inverse(table.offset[task]), free))
+    return _between(present_axis, asked_axis)
+
+
+@inlined
+def asked_orientation(table: TaskTable, frame: int, task: int, orientations: Floats) -> Quaternion:
+    """Return the composite goal of a rotation task: a mean of the goals, blended in."""
+    first, last = table.first_goal[task], table.first_goal[task + 1]
+    original = table.original[frame, task]
+    blend = table.blend[frame, task]
+    start = (original[0], original[1], original[2], original[3])
+    if first == last or blend == 0.0:
+        return start
+    if last == first + 1:
+        return interpolated(start, _goal(table, frame, first, orientations), blend)
+    outer = np.empty((4, 4))
+    for row in range(4):
+        for column in range(4):
+            outer[row, column] = 0.0
+    for goal in range(first, last):
+        q = _goal(table, frame, goal, orientations)
+        for row in range(4):
+            for column in range(4):
+                outer[row, column] += table.goal_weight[frame, goal] * q[row] * q[column]
+    return interpolated(start, _greatest_eigenvector(outer), blend)
+
+
+@inlined
+def _goal(table: TaskTable, frame: int, goal: int, orientations: Floats) -> Quaternion:
+    q = table.goal_rotation[frame, goal]
+    node = table.goal_node[goal]
+    if node >= 0:
+        return product(orientations[node], q)
+    return (q[0], q[1], q[2], q[3])
+
+
+@inlined
+def _greatest_eigenvector(matrix: Floats) -> Quaternion:
+    """(4, 4) to a unit vector, by squaring the matrix until one direction is left."""
+    square = np.empty((4, 4))
+    for _ in range(24):
+        trace = 0.0
+        for row in range(4):
+            for column in range(4):
+                square[row, column] = 0.0
+                for index in range(4):
+                    square[row, column] += matrix[row, index] * matrix[index, column]
+            trace += square[row, row]
+        for row in range(4):
+            for column in range(4):
+                matrix[row, column] = square[row, column] / trace
+    largest = 0
+    for index in range(4):
+        if matrix[index, index] > matrix[largest, largest]:
+            largest = index
+    return unit(matrix[largest])
+
+
+@inlined
+def _between(a: Any, b: Any) -> Vector:
+    """Return the shortest rotation vector that turns a's direction to b's."""
+    axis = cross(a, b)
+    sine = math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2])
+    cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    if sine < 1e-12 * abs(cosine):
+        if cosine > 0.0:
+            return (0.0, 0.0, 0.0)
+        return _half_turn(a)
+    scale = math.atan2(sine, cosine) / sine
+    return (axis[0] * scale, axis[1] * scale, axis[2] * scale)
+
+
+@inlined
+def _half_turn(a: Any) -> Vector:
+    """Return some half turn that reverses a direction."""
+    other = (1.0, 0.0, 0.0) if abs(a[0]) < 0.5 * (abs(a[1]) + abs(a[2])) else (0.0, 1.0, 0.0)
+    axis = cross(a, other)
+    scale = math.pi / math.sqrt(axis[0] ** 2 + axis[1] ** 2 + axis[2] ** 2)
+    return (axis[0] * scale, axis[1] * scale, axis[2] * scale)

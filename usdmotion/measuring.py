@@ -1,0 +1,37 @@
+"""What a motion leaves of each constraint, measured by the host and not by the solver."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from usdmotion.arrays import Floats
+from usdmotion.constraints import Constraint
+from usdmotion.kernels import Kind, forward, residuals
+from usdmotion.solving import Problem, Solution
+
+
+def measure(problem: Problem, solution: Solution, constraints: Sequence[Constraint]) -> Floats:
+    """Return the error of each constraint on every frame, shape (frame_count, constraint_count).
+
+    Metres or degrees, as each constraint's `unit` says: the length of the errors of those of its
+    tasks that are measured in that unit. Activities do not count: where a constraint is not fully
+    on, this is how far it is from what it would ask for.
+    """
+    cast, table = problem.cast, problem.table
+    positions, orientations = forward(cast.parents, solution.translations, solution.rotations)
+    squares = residuals(table, positions, orientations) ** 2
+    turning = table.kind == Kind.ROTATION
+    errors = np.zeros((cast.frame_count, len(constraints)))
+    for index, constraint in enumerate(constraints):
+        in_degrees = constraint.unit == "deg"
+        own = (table.constraint == index) & (turning == in_degrees)
+        left = np.sqrt(squares[:, own].sum(axis=1))
+        errors[:, index] = np.degrees(left) if in_degrees else left
+    return errors
+
+
+def tolerance(constraint: Constraint) -> float:
+    """Return what counts as met: its own tolerance, else 1 mm or 1 degree."""
+    if constraint.tolerance > 0.0:
+        return constraint.tolerance
+    return 1.0 if constraint.unit == "deg" else 1e-3
