@@ -1,1 +1,105 @@
-"""Make captured motion fit the shot, in USD, without touching the original."""
+"""Make captured motion fit the shot, in USD, without touching the original.
+
+These are the public names, for scripts and for plugins; `usdmotion.kernels` and
+`usdmotion.testing` are public too. Nothing is imported before it is asked for.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from usdmotion.cast import Cast, Character, Joint
+    from usdmotion.constraints import (
+        Constraint,
+        Goal,
+        OrientationConstraint,
+        PositionConstraint,
+        attribute,
+    )
+    from usdmotion.errors import (
+        FileError,
+        InputError,
+        OptionError,
+        PluginError,
+        SceneError,
+        UsdMotionError,
+    )
+    from usdmotion.hookspecs import hookimpl
+    from usdmotion.motion import Body, Motion, Placement, Skeleton
+    from usdmotion.options import configured, option
+    from usdmotion.pipeline import import_motion, inspect, solve
+    from usdmotion.plugins import host
+    from usdmotion.recording import Reader, Recording
+    from usdmotion.scene import Edit, Scene
+    from usdmotion.solving import Problem, Solution, Solver
+    from usdmotion.tasks import Axes, Demand, PointTask, RotationTask, Term, TurnGoal
+
+__all__ = [
+    "Axes",
+    "Body",
+    "Cast",
+    "Character",
+    "Constraint",
+    "Demand",
+    "Edit",
+    "FileError",
+    "Goal",
+    "InputError",
+    "Joint",
+    "Motion",
+    "OptionError",
+    "OrientationConstraint",
+    "Placement",
+    "PluginError",
+    "PointTask",
+    "PositionConstraint",
+    "Problem",
+    "Reader",
+    "Recording",
+    "RotationTask",
+    "Scene",
+    "SceneError",
+    "Skeleton",
+    "Solution",
+    "Solver",
+    "Term",
+    "TurnGoal",
+    "UsdMotionError",
+    "attribute",
+    "configured",
+    "hookimpl",
+    "host",
+    "import_motion",
+    "inspect",
+    "option",
+    "solve",
+]
+
+_ROOMS = (
+    "errors",
+    "options",
+    "motion",
+    "recording",
+    "cast",
+    "tasks",
+    "constraints",
+    "scene",
+    "solving",
+    "hookspecs",
+    "plugins",
+    "pipeline",
+)
+"""Where the names are at home, the lowest room first: a name imports no room above its own."""
+
+
+def __getattr__(name: str) -> object:
+    if name in __all__:
+        for room in _ROOMS:
+            found = vars(import_module(f"{__name__}.{room}"))
+            if name in found:
+                return found[name]
+    raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
+
+
+def __dir__() -> list[str]:
+    return __all__

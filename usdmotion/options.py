@@ -32,13 +32,15 @@ class Option:
         """
         parsed = _parsed(value, type(self.default))
         if parsed is None:
-            raise OptionError(f"option '{self.name}' is {value!r}, not {self._wanted()}")
+            raise OptionError(f"option '{self.name}' is {value!r}, not {self.allowed}")
         outside = isinstance(parsed, (int, float)) and not self.minimum <= parsed <= self.maximum
         if outside or (self.choices and parsed not in self.choices):
-            raise OptionError(f"option '{self.name}' is {value!r}, not {self._wanted()}")
+            raise OptionError(f"option '{self.name}' is {value!r}, not {self.allowed}")
         return parsed
 
-    def _wanted(self) -> str:
+    @property
+    def allowed(self) -> str:
+        """What values it can have, in a few words."""
         if self.choices:
             return "one of " + ", ".join(self.choices)
         kind = {bool: "true or false", int: "a whole number", float: "a number", str: "text"}

@@ -1,0 +1,143 @@
+"""What was asked and what was met, measured by the host from the motion that came back."""
+
+import json
+from dataclasses import asdict, dataclass
+
+import numpy as np
+from rich.table import Table
+from rich.text import Text
+
+from usdmotion.arrays import Floats
+from usdmotion.constraints import Constraint
+from usdmotion.kernels import Kind, forward, residuals
+from usdmotion.scene import Scene
+from usdmotion.solving import Problem, Solution
+from usdmotion.tasks import Demand
+
+_TOLERANCES = {"m": 1e-3, "deg": 1.0}
+_KINDS = {"m": Kind.POINT, "deg": Kind.ROTATION}
+
+
+@dataclass(frozen=True)
+class ConstraintReport:
+    """What is left of one constraint where it is fully on; its fields are the keys of the JSON."""
+
+    path: str
+    type: str
+    """Name of its schema class."""
+    priority: int
+    max: float
+    """Largest error on the plateau, in `unit`; 0 where it is never fully on."""
+    rms: float
+    """Root mean square of the errors on the plateau, in `unit`."""
+    unit: str
+    """`m` or `deg`."""
+    worst_time: float | None
+    """Time code of the largest error; None where it is never fully on."""
+    met: bool
+    """Whether the largest error is within the constraint's tolerance."""
+
+
+@dataclass(frozen=True)
+class EditReport:
+    """What became of one edit; its fields are the keys of the JSON."""
+
+    path: str
+    skeleton: str
+    solver: str
+    frames: int
+    """How many frames were solved."""
+    seconds: float
+    """How long the solver took for the edit's whole scene."""
+    iterations: int
+    """Iterations spent on all frames together."""
+    constraints: tuple[ConstraintReport, ...]
+
+
+@dataclass(frozen=True)
+class Report:
+    """What became of every edit of a shot."""
+
+    edits: tuple[EditReport, ...]
+    notes: tuple[str, ...] = ()
+    """One sentence about each thing in the shot that its maker should know."""
+
+    @property
+    def met(self) -> bool:
+        """Whether every constraint of every edit was met."""
+        return all(row.met for edit in self.edits for row in edit.constraints)
+
+    def to_json(self) -> str:
+        """Return the machine-readable form, `{"edits": [...]}`."""
+        document = {"edits": [asdict(edit) for edit in self.edits]}
+        return json.dumps(document, indent=2, allow_nan=False)
+
+    def tables(self) -> list[Table]:
+        """Return a table for a terminal for each edit."""
+        return [_table(edit) for edit in self.edits]
+
+
+def measure(scene: Scene, problem: Problem, solution: Solution) -> tuple[ConstraintReport, ...]:
+    """Return what a solution leaves of every constraint of a scene, in the scene's order."""
+    cast, table = problem.cast, problem.table
+    positions, orientations = forward(cast.parents, solution.translations, solution.rotations)
+    errors = residuals(table, positions, orientations)
+    rows = []
+    for index, (constraint, demand) in enumerate(
+        zip(scene.constraints, scene.demands, strict=True)
+    ):
+        own = (table.constraint == index) & (table.kind == _KINDS[constraint.unit])
+        rows.append(_judged(constraint, demand, errors[:, own], scene.time_codes))
+    return tuple(rows)
+
+
+def _judged(
+    constraint: Constraint, demand: Demand, errors: Floats, time_codes: Floats
+) -> ConstraintReport:
+    """Return the report of one constraint from the errors of its tasks, shape (F, tasks)."""
+    worst = errors.max(axis=1, initial=0.0)[demand.plateau]
+    if constraint.unit == "deg":
+        worst = np.degrees(worst)
+    tolerance = constraint.tolerance or _TOLERANCES[constraint.unit]
+    judged = bool(len(worst))
+    return ConstraintReport(
+        path=constraint.path,
+        type=constraint.schema,
+        priority=constraint.priority,
+        max=float(worst.max(initial=0.0)),
+        rms=float(np.sqrt(np.mean(worst**2))) if judged else 0.0,
+        unit=constraint.unit,
+        worst_time=float(time_codes[demand.plateau][worst.argmax()]) if judged else None,
+        met=bool(worst.max(initial=0.0) <= tolerance),
+    )
+
+
+def _table(edit: EditReport) -> Table:
+    title = (
+        f"<{edit.path}>: {edit.frames} frames by {edit.solver} in {edit.seconds * 1e3:.0f} ms, "
+        f"{edit.iterations / max(edit.frames, 1):.1f} iterations a frame"
+    )
+    table = Table(title=title, title_justify="left")
+    for heading in ("priority", "constraint", "type"):
+        table.add_column(heading)
+    for heading in ("largest", "rms", "at time", "met"):
+        table.add_column(heading, justify="right")
+    for row in sorted(edit.constraints, key=lambda row: row.priority):
+        table.add_row(
+            str(row.priority),
+            _short(row.path, edit.path),
+            row.type.removeprefix("Motion").removesuffix("Constraint"),
+            _error(row.max, row.unit),
+            _error(row.rms, row.unit),
+            "never on" if row.worst_time is None else f"{row.worst_time:g}",
+            Text("yes") if row.met else Text("no", style="bold red"),
+        )
+    return table
+
+
+def _short(path: str, above: str) -> str:
+    return path.removeprefix(f"{above}/")
+
+
+def _error(value: float, unit: str) -> str:
+    return f"{value * 1e3:.3f} mm" if unit == "m" else f"{value:.3f}°"

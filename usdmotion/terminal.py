@@ -1,0 +1,114 @@
+"""What a terminal shows: tables of plain values, machine-readable output, what goes on now."""
+
+import dataclasses
+import json
+import os
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from usdmotion.errors import FileError
+
+
+@dataclasses.dataclass(frozen=True)
+class Terminal:
+    """Where a verb talks to: people on one stream, notes on the other."""
+
+    people: Console
+    """For tables and what was written; nowhere with `--quiet`."""
+    notes: Console
+    """For what goes on now and what should be known; stderr, nowhere with `--quiet`."""
+
+    @classmethod
+    def open(cls, *, quiet: bool = False, json: str | None = None) -> "Terminal":
+        """Return the terminal of a verb; stdout is left to the JSON where that goes there."""
+        return cls(_console(stderr=json == "-", quiet=quiet), _console(stderr=True, quiet=quiet))
+
+    @contextmanager
+    def busy(self) -> Iterator[Callable[[str], None]]:
+        """Yield what to tell about the work inside; it shows while a terminal is there."""
+        with self.notes.status("starting") as status:
+            yield lambda doing: status.update(Text(doing))
+
+    def note(self, sentence: str) -> None:
+        """Tell something that should be known."""
+        self.notes.print(f"note: {sentence}")
+
+    def tell(self, *shown: object) -> None:
+        """Show text or tables."""
+        for each in shown:
+            self.people.print(each)
+
+
+def _console(*, stderr: bool, quiet: bool) -> Console:
+    stream = sys.stderr if stderr else sys.stdout
+    # A log has no width of its own, and a table that is cut tells nothing.
+    width = None if stream.isatty() else 200
+    return Console(
+        stderr=stderr, quiet=quiet, width=width, soft_wrap=True, highlight=False, markup=False
+    )
+
+
+def tables(value: Any) -> list[Table | str]:
+    """Return what shows a frozen value: its plain fields line by line, a table for each list."""
+    shown: list[Table | str] = []
+    for field in dataclasses.fields(value):
+        held = getattr(value, field.name)
+        title = field.name.replace("_", " ")
+        if isinstance(held, tuple) and held and dataclasses.is_dataclass(held[0]):
+            shown.append(table(title, held))
+        elif held not in ((), "", None):
+            shown.append(f"{title}: {_cell(held)}")
+    return shown
+
+
+def table(title: str, rows: Sequence[Any]) -> Table:
+    """Return a table of frozen values of one kind: a column for each field that says something."""
+    shown = Table(title=title, title_justify="left")
+    names = [field.name for field in dataclasses.fields(rows[0])]
+    told = [name for name in names if any(_cell(getattr(row, name)) for row in rows)]
+    for name in told:
+        shown.add_column(name.replace("_", " "), overflow="fold")
+    for row in rows:
+        shown.add_row(*(_cell(getattr(row, name)) for name in told))
+    return shown
+
+
+def to_json(value: Any) -> str:
+    """Return a frozen value as a JSON document: its fields are the keys."""
+    return json.dumps(dataclasses.asdict(value), indent=2, default=str)
+
+
+def write_text(text: str, target: str) -> None:
+    """Write a document to a file, whole or not at all, or to stdout for "-".
+
+    Raises:
+        FileError: The file cannot be written.
+    """
+    if target == "-":
+        sys.stdout.write(text + "\n")
+        return
+    beside = Path(f"{target}.part")
+    try:
+        beside.write_text(text + "\n", encoding="utf-8")
+        os.replace(beside, target)
+    except OSError as error:
+        raise FileError(f"{target}: cannot be written: {error.strerror}") from error
+
+
+def _cell(value: object) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        return f"{value:g}"
+    if isinstance(value, (tuple, list)):
+        return ", ".join(_cell(each) for each in value)
+    return str(value)
