@@ -16,6 +16,8 @@ if TYPE_CHECKING:
         PositionConstraint,
         attribute,
     )
+    from usdmotion.constraints.goal import composite_point, composite_turn
+    from usdmotion.curves import ease
     from usdmotion.errors import (
         FileError,
         InputError,
@@ -66,7 +68,10 @@ __all__ = [
     "TurnGoal",
     "UsdMotionError",
     "attribute",
+    "composite_point",
+    "composite_turn",
     "configured",
+    "ease",
     "hookimpl",
     "host",
     "import_motion",
@@ -82,6 +87,8 @@ _ROOMS = (
     "recording",
     "cast",
     "tasks",
+    "curves",
+    "constraints.goal",
     "constraints",
     "scene",
     "solving",

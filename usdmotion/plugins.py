@@ -1,7 +1,7 @@
 """The plugin host: finds plugins, checks their contract, sets broken ones aside by name."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, is_dataclass, replace
+from dataclasses import dataclass, replace
 from functools import cache, cached_property
 from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
@@ -10,9 +10,14 @@ from typing import Any, TypeVar
 import pluggy
 
 from usdmotion import hookspecs
-from usdmotion.constraints import Constraint, attributes, built_in
+from usdmotion.constraints import Constraint, built_in
+from usdmotion.contract import (
+    check_constraint_kind,
+    check_reader_kind,
+    check_schema_folder,
+    check_solver_kind,
+)
 from usdmotion.errors import InputError, OptionError, PluginError
-from usdmotion.options import options
 from usdmotion.recording import Reader
 from usdmotion.solving import Solver
 
@@ -171,77 +176,11 @@ def _returned(hook: str, results: Iterable[object]) -> Iterable[object]:
         yield from result
 
 
-def _check_solver(solver: object) -> None:
-    _check_class(solver, "solver", "solve")
-
-
-def _check_reader(reader: object) -> None:
-    _check_class(reader, "reader", "read")
-    suffixes = getattr(reader, "suffixes", None)
-    fine = isinstance(suffixes, tuple) and all(
-        isinstance(each, str) and each.startswith(".") and each == each.lower() for each in suffixes
-    )
-    if not suffixes or not fine:
-        raise PluginError(
-            f"its reader {reader!r} has the suffixes {suffixes!r}; name some, "
-            "as a tuple of lower-case endings with the dot"
-        )
-
-
-def _check_class(offered: object, kind: str, verb: str) -> None:
-    if not isinstance(offered, type):
-        raise PluginError(f"it registers {offered!r} as a {kind}, which is not a class")
-    name = getattr(offered, "name", None)
-    if not isinstance(name, str) or not name.isidentifier():
-        raise PluginError(f"its {kind} {offered.__name__} needs a `name` that is an identifier")
-    if not callable(getattr(offered, verb, None)):
-        raise PluginError(f"its {kind} '{name}' has no method `{verb}`")
-    _check_options(offered, f"{kind} '{name}'")
-    try:
-        offered()
-    except Exception as error:
-        raise PluginError(f"its {kind} '{name}' cannot be made by {name}(): {error}") from error
-
-
-def _check_options(offered: type, owner: str) -> None:
-    for option in options(offered):
-        if not isinstance(option.default, (bool, int, float, str)):
-            raise PluginError(f"its {owner} has an option '{option.name}' that is no plain value")
-        if not option.doc.strip():
-            raise PluginError(f"its {owner} does not say what the option '{option.name}' is")
-        try:
-            option.parse(option.default)
-        except OptionError as error:
-            raise PluginError(f"its {owner} has a default outside its limits: {error}") from error
-
-
-def _check_constraint(kind: object) -> None:
-    if not isinstance(kind, type) or not issubclass(kind, Constraint):
-        raise PluginError(f"it registers {kind!r} as a constraint, which is no Constraint class")
-    schema = getattr(kind, "schema", None)
-    if not isinstance(schema, str) or not schema.isidentifier():
-        raise PluginError(f"its constraint {kind.__name__} needs the `schema` of its prims")
-    if "__dataclass_params__" not in vars(kind) or not is_dataclass(kind):
-        raise PluginError(f"its constraint '{schema}' is not a dataclass")
-    if kind.tasks is Constraint.tasks:
-        raise PluginError(f"its constraint '{schema}' has no method `tasks`")
-    if kind.unit not in ("m", "deg"):
-        raise PluginError(f"its constraint '{schema}' has the unit '{kind.unit}', not 'm' or 'deg'")
-    attributes(kind)
-
-
-def _check_schema(folder: object) -> None:
-    if not isinstance(folder, Path) or not (folder / "plugInfo.json").is_file():
-        raise PluginError(
-            f"its schema {str(folder)!r} is not the path of a folder with plugInfo.json"
-        )
-
-
 _CHECKS: dict[str, Callable[[object], None]] = {
-    "solvers": _check_solver,
-    "readers": _check_reader,
-    "constraints": _check_constraint,
-    "schemas": _check_schema,
+    "solvers": check_solver_kind,
+    "readers": check_reader_kind,
+    "constraints": check_constraint_kind,
+    "schemas": check_schema_folder,
 }
 
 
