@@ -1,0 +1,279 @@
+"""The public checks: they pass what keeps its promises and name what does not."""
+
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import ClassVar
+
+import numpy as np
+import pytest
+
+from usdmotion import FileError, Motion, Problem, Reader, Recording, Skeleton, Solution, option
+from usdmotion.kernels import forward, from_vector, multiply
+from usdmotion.plugins import host
+from usdmotion.testing import (
+    ARM,
+    HUMANOID,
+    SOLVER_CHECKS,
+    arm_scene,
+    check_reader,
+    check_solver,
+    humanoid_scene,
+    moved,
+    posed,
+)
+
+CHECKS = {check.__name__: check for check in SOLVER_CHECKS}
+
+
+@pytest.mark.parametrize("name", CHECKS)
+def test_our_solver_keeps_the_contract(name: str) -> None:
+    CHECKS[name](host().solver("prioritized_ik")())
+
+
+@dataclass(frozen=True)
+class Spoiled:
+    """Our solver, whose answer is spoiled afterwards, or whose problem is before."""
+
+    name: ClassVar[str] = "spoiled"
+    after: Callable[[Problem, Solution], Solution] = lambda problem, solution: solution
+    before: Callable[[Problem], Problem] = lambda problem: problem
+
+    def solve(self, problem: Problem) -> Solution:
+        solver = host().solver("prioritized_ik")()
+        return self.after(problem, solver.solve(self.before(problem)))
+
+
+def input_of(problem: Problem) -> Solution:
+    cast = problem.cast
+    nothing = np.zeros(cast.frame_count, dtype=np.int64)
+    return Solution(cast.translations, cast.rotations, nothing, nothing)
+
+
+def turned(vector: tuple[float, float, float], nodes: slice) -> Callable[..., Solution]:
+    def spoil(problem: Problem, solution: Solution) -> Solution:
+        rotations = np.array(solution.rotations)
+        rotations[:, nodes] = multiply(rotations[:, nodes], from_vector(np.array([vector])))
+        return replace(solution, rotations=rotations)
+
+    return spoil
+
+
+def level_less(problem: Problem) -> Problem:
+    table = problem.table
+    return replace(problem, table=table._replace(level=np.zeros_like(table.level)))
+
+
+def scribbling(problem: Problem) -> Problem:
+    problem.table.weight[:] = 2.0
+    return problem
+
+
+def noisy(problem: Problem, solution: Solution) -> Solution:
+    noise = np.random.default_rng().normal(scale=1e-5, size=3)
+    return turned(tuple(noise), slice(2, 3))(problem, solution)
+
+
+def worldly(problem: Problem, solution: Solution) -> Solution:
+    lean = 0.01 * problem.cast.positions[:, 2, 0].mean()
+    return turned((lean, 0.0, 0.0), slice(2, 3))(problem, solution)
+
+
+def first_first(problem: Problem, solution: Solution) -> Solution:
+    lean = 0.01 * problem.table.weight[0, 0]
+    return turned((lean, 0.0, 0.0), slice(2, 3))(problem, solution)
+
+
+SPOILED = {
+    "check_poses": (
+        Spoiled(lambda p, s: replace(s, rotations=2.0 * s.rotations)),
+        "rotations must be unit quaternions",
+    ),
+    "check_unrecruited": (
+        Spoiled(turned((1e-12, 0.0, 0.0), slice(1, 2))),
+        "joints that nobody recruits must equal the input exactly",
+    ),
+    "check_nothing_asked": (
+        Spoiled(turned((0.01, 0.0, 0.0), slice(2, 3))),
+        "where nothing is asked the input must come back",
+    ),
+    "check_reach": (
+        Spoiled(lambda p, s: input_of(p)),
+        "a point within reach must be met within 1 mm",
+    ),
+    "check_out_of_reach": (
+        Spoiled(turned((0.0, 0.0, 2.0), slice(2, 3))),
+        "must not be left farther away",
+    ),
+    "check_ranks": (
+        Spoiled(before=level_less),
+        "must not disturb it",
+    ),
+    "check_repeatable": (Spoiled(noisy), "the same inputs must give the same bytes"),
+    "check_world": (Spoiled(worldly), "a scene that is moved as a whole must have the same"),
+    "check_order_of_constraints": (
+        Spoiled(first_first),
+        "constraints of one rank must give the same answer in any order",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SPOILED)
+def test_each_check_names_the_promise_that_is_broken(name: str) -> None:
+    solver, sentence = SPOILED[name]
+    with pytest.raises(AssertionError, match=sentence):
+        CHECKS[name](solver)
+
+
+def test_a_solver_that_writes_into_its_input_is_found_out() -> None:
+    with pytest.raises(AssertionError, match="must not change the arrays that it is given"):
+        CHECKS["check_repeatable"](Spoiled(before=scribbling))
+
+
+def test_a_solver_whose_options_say_nothing_is_found_out() -> None:
+    @dataclass(frozen=True)
+    class Silent(Spoiled):
+        much: int = option(1, "")
+
+    with pytest.raises(AssertionError, match="does not say what the option 'much' is"):
+        check_solver(Silent())
+
+
+def test_the_contract_runs_without_usd() -> None:
+    script = (
+        "import sys; sys.modules['pxr'] = None\n"
+        "from usdmotion.plugins import host\n"
+        "from usdmotion.testing import check_solver\n"
+        "check_solver(host().solver('prioritized_ik')())\n"
+        "print('kept')"
+    )
+    said = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert said.stdout == "kept\n", said.stderr
+
+
+def test_a_scene_of_each_kind_has_what_it_says() -> None:
+    arm, humanoid = arm_scene(frame_count=3), humanoid_scene()
+    assert [token for _, token in arm.cast.joints][1:3] == ["base", "base/shoulder"]
+    assert arm.cast.frame_count == 3
+    assert arm.characters[0].path == ARM
+    assert len(humanoid.character(HUMANOID).skeleton.joints) == 16
+    assert humanoid.cast.masses.sum() > 50.0
+
+
+def test_a_moved_scene_stands_elsewhere_with_the_same_motion() -> None:
+    scene = arm_scene()
+    shift, turn = np.array([1.0, 2.0, 3.0]), from_vector(np.array([0.0, np.pi / 2, 0.0]))
+    there = moved(scene, shift, turn)
+    x, y, z = scene.cast.positions[0, -1]
+    np.testing.assert_allclose(there.cast.positions[0, -1], np.add(shift, (z, y, -x)), atol=1e-12)
+    assert np.array_equal(there.cast.rotations[:, 1:], scene.cast.rotations[:, 1:])
+
+
+def test_a_posed_scene_turns_only_the_named_joints() -> None:
+    scene = arm_scene()
+    positions, orientations = posed(scene, {"base/shoulder": (0.0, 0.5, 0.0)})
+    cast = scene.cast
+    np.testing.assert_allclose(positions[:, :2], cast.positions[:, 1:3], atol=1e-12)
+    assert not np.allclose(orientations[:, -1], cast.orientations[:, -1])
+    np.testing.assert_allclose(
+        forward(cast.parents, cast.translations, cast.rotations)[0], cast.positions
+    )
+
+
+@dataclass(frozen=True)
+class Tape:
+    """A reader of files that hold one number: how many frames of a still joint to make."""
+
+    name: ClassVar[str] = "tape"
+    suffixes: ClassVar[tuple[str, ...]] = (".tape",)
+
+    def read(self, path: Path) -> Recording:
+        try:
+            count = int(path.read_text())
+        except (OSError, ValueError) as error:
+            raise FileError(f"{path}: line 1: no number") from error
+        return still(count)
+
+
+def still(frame_count: int) -> Recording:
+    identity = np.tile((0.0, 0.0, 0.0, 1.0), (frame_count, 1, 1))
+    motion = Motion(np.arange(frame_count) / 10.0, np.zeros((frame_count, 1, 3)), identity)
+    skeleton = Skeleton(("hip",), np.array([-1]), np.zeros((1, 3)), identity[0])
+    nothing = (np.zeros(0, dtype=np.int64), np.zeros((0, 3)))
+    return Recording("tape", skeleton, motion, 10.0, ("Hip",), "Y", *nothing)
+
+
+@dataclass(frozen=True)
+class Worn(Tape):
+    """A reader whose recordings are spoiled."""
+
+    spoil: Callable[[Recording], Recording] = lambda recording: recording
+
+    def read(self, path: Path) -> Recording:
+        return self.spoil(super().read(path))
+
+
+@dataclass(frozen=True)
+class Credulous(Tape):
+    """A reader that refuses nothing."""
+
+    def read(self, path: Path) -> Recording:
+        try:
+            return super().read(path)
+        except FileError:
+            return still(1)
+
+
+@pytest.fixture
+def tape(tmp_path: Path) -> Path:
+    path = tmp_path / "good.tape"
+    path.write_text("3")
+    return path
+
+
+def test_a_good_reader_passes(tape: Path) -> None:
+    assert isinstance(Tape(), Reader)
+    check_reader(Tape(), tape)
+
+
+def renamed(token: str) -> Callable[[Recording], Recording]:
+    return lambda recording: replace(
+        recording, skeleton=replace(recording.skeleton, joints=(token,))
+    )
+
+
+WORN = [
+    (lambda r: replace(r, name="no name"), "must be a valid prim name"),
+    (renamed("a hip"), "must end in a valid name"),
+    (renamed("world/hip"), "must stand below its parent"),
+    (lambda r: replace(r, original_names=()), "every joint must have its original name"),
+    (lambda r: replace(r, frame_rate=20.0), "follow each other at the frame rate"),
+    (lambda r: replace(r, up="X"), "up must be 'Y' or 'Z'"),
+    (
+        lambda r: replace(r, motion=replace(r.motion, rotations=np.zeros((3, 1, 4)))),
+        "rotations must be unit quaternions",
+    ),
+    (
+        lambda r: replace(r, motion=replace(r.motion, translations=np.full((3, 1, 3), np.nan))),
+        "a motion must be finite",
+    ),
+    (
+        lambda r: replace(r, tip_joints=np.array([7]), tip_points=np.zeros((1, 3))),
+        "a tip must stand at a joint",
+    ),
+]
+
+
+@pytest.mark.parametrize(("spoil", "sentence"), WORN)
+def test_a_spoiled_recording_is_named(
+    tape: Path, spoil: Callable[[Recording], Recording], sentence: str
+) -> None:
+    with pytest.raises(AssertionError, match=sentence):
+        check_reader(Worn(spoil=spoil), tape)
+
+
+def test_a_reader_that_refuses_nothing_is_found_out(tape: Path) -> None:
+    with pytest.raises(AssertionError, match="a file that is not there must be refused"):
+        check_reader(Credulous(), tape)
