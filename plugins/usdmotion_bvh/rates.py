@@ -11,6 +11,7 @@ _KNOWN_RATES = (
     *(rate * 1000 / 1001 for rate in (24, 30, 48, 60, 120, 240)),
 )
 _PLAUSIBLE = (10.0, 1000.0)
+_SHORTEST, _LONGEST = 1e-6, 1e3
 
 
 def decide_rate(source: Source, rows: Rows, wanted: float) -> tuple[float, list[str]]:
@@ -30,10 +31,10 @@ def decide_rate(source: Source, rows: Rows, wanted: float) -> tuple[float, list[
         seconds = float(rows.frame_time)
     except ValueError:
         seconds = math.nan
-    if not (math.isfinite(seconds) and seconds > 0.0):
+    if not _SHORTEST < seconds < _LONGEST:
         says = f"Frame Time is {rows.frame_time!r}" if rows.frame_time else "there is no Frame Time"
         cure = "the option rate gives the samples per second"
-        raise source.refusal(rows.frame_time_line, f"{says}, not a time above 0 s; {cure}")
+        raise source.refusal(rows.frame_time_line, f"{says}, not the seconds of a frame; {cure}")
     rate = _meant(seconds, rows.frame_time)
     if not _PLAUSIBLE[0] <= rate <= _PLAUSIBLE[1]:
         says = f"Frame Time {rows.frame_time} s is not plausible: {rate:g} samples per second"

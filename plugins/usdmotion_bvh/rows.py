@@ -9,7 +9,7 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.errors import FileError
-from usdmotion_bvh.source import Source
+from usdmotion_bvh.source import LARGEST_NUMBER, Source
 
 _FRAMES = re.compile(r"\s*frames\s*:?(.*)", re.IGNORECASE)
 _FRAME_TIME = re.compile(r"\s*frame\s*time\s*:?(.*)", re.IGNORECASE)
@@ -80,8 +80,8 @@ def _table(rows: list[_Row], channel_count: int) -> Floats | None:
         values = np.loadtxt([row.text for row in rows], comments=None, ndmin=2)
     except ValueError:
         return None
-    fits = values.shape == (len(rows), channel_count) and bool(np.all(np.isfinite(values)))
-    return values if fits else None
+    fits = values.shape == (len(rows), channel_count)
+    return values if fits and np.all(np.abs(values) < LARGEST_NUMBER) else None
 
 
 def _mended(
@@ -137,6 +137,6 @@ def _not_a_number(source: Source, rows: list[_Row]) -> FileError:
                 number = float(text)
             except ValueError:
                 number = math.nan
-            if not math.isfinite(number):
+            if not abs(number) < LARGEST_NUMBER:
                 return source.refusal(row.line, f"'{text}' stands where a number should")
     return source.refusal(rows[0].line, "the frames that begin here are not a table of numbers")

@@ -5,6 +5,8 @@ from pathlib import Path
 
 from usdmotion.errors import FileError
 
+LARGEST_NUMBER = 1e9
+"""No captured number is larger; what is, was not meant as one."""
 _BYTE_ORDER_MARKS = {b"\xef\xbb\xbf": "utf-8-sig", b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16"}
 
 

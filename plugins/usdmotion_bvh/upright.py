@@ -1,5 +1,6 @@
 """Which axis of a file points up."""
 
+import dataclasses
 from typing import Literal
 
 import numpy as np
@@ -12,6 +13,9 @@ from usdmotion_bvh.poses import Poses
 Up = Literal["Y", "Z"]
 AXIS = {"Y": 1, "Z": 2}
 _CLEARLY = 1.25
+"""One extent is larger than another by this factor at least."""
+_TALL = 0.4
+"""Part of the height that a body has from bottom to top even when it sits."""
 
 
 def decide_up(
@@ -26,28 +30,29 @@ def decide_up(
     if wished != "auto":
         return ("Z" if wished == "Z" else "Y"), []
     extents = np.median(np.ptp(points, axis=1), axis=0)
-    rest = np.ptp(_resting(hierarchy, poses), axis=0)
     floor = np.subtract(*np.percentile(points.min(axis=1), (95.0, 5.0), axis=0))
-    votes = 1.5 * _larger(extents) + _larger(rest) - _flatter(floor, height)
+    # Who lies along X is tall along neither.
+    tall = extents[1:].max() > _TALL * height
+    votes = 1.5 * tall * _larger(extents) + _resting(hierarchy, poses) + _flatter(floor, height)
     up: Up = "Z" if votes > 0.0 else "Y"
     if up == "Y" and extents[1] > _CLEARLY * extents[2]:
         return up, []
     other = "Y" if up == "Z" else "Z"
-    tall, deep = extents[AXIS[up]], extents[AXIS[other]]
-    found = f"the body is typically {tall:.4g} units tall along {up}, {deep:.4g} along {other}"
-    return up, [f"{up} is read as up: {found}"]
+    tall, deep = (f"{extents[AXIS[axis]]:.4g} units along {axis}" for axis in (up, other))
+    return up, [f"{up} is read as up: the body typically extends {tall}, {deep}"]
 
 
-def _resting(hierarchy: Hierarchy, poses: Poses) -> Floats:
-    still = Poses(
-        poses.parents,
-        poses.offsets,
-        poses.positions[:1],
-        poses.moved,
-        np.tile((0.0, 0.0, 0.0, 1.0), (1, len(poses.parents), 1)),
-    )
-    points: Floats = world_positions(hierarchy, still, poses.offsets[None])[0]
-    return points
+def _resting(hierarchy: Hierarchy, poses: Poses) -> float:
+    """Return 1 where the rest pose is taller along Z, -1 where it is along Y, 0 between.
+
+    The arms of a T-pose reach as far as the body is tall, but alike to both sides.
+    """
+    identity = np.tile((0.0, 0.0, 0.0, 1.0), (1, len(poses.parents), 1))
+    still = dataclasses.replace(poses, rotations=identity)
+    points = world_positions(hierarchy, still, poses.offsets[None])[0]
+    ordered = np.sort(points - 0.5 * (points.min(axis=0) + points.max(axis=0)), axis=0)
+    lopsided = np.mean(np.abs(ordered + ordered[::-1]), axis=0)
+    return _larger(np.ptp(points, axis=0)) or _larger(lopsided)
 
 
 def _larger(extents: Floats) -> float:
@@ -58,6 +63,6 @@ def _larger(extents: Floats) -> float:
 
 
 def _flatter(spread: Floats, height: float) -> float:
-    """Return 1 where the lowest point stays the same along Y but not along Z, -1 the other way."""
+    """Return 1 where the lowest point stays the same along Z but not along Y, -1 the other way."""
     flat, far = spread < 0.1 * height, spread > 0.5 * height
-    return float(flat[1] and far[2]) - float(flat[2] and far[1])
+    return float(flat[2] and far[1]) - float(flat[1] and far[2])

@@ -4,7 +4,7 @@ import math
 import re
 from typing import NamedTuple, NoReturn
 
-from usdmotion_bvh.source import Source
+from usdmotion_bvh.source import LARGEST_NUMBER, Source
 
 _WORD = re.compile(r"[{}]|[^{}\s]+")
 
@@ -58,13 +58,13 @@ class Words:
             self.refuse(word, f"'{word.text}' stands where '{wanted}' of {place} should")
 
     def take_number(self, place: str) -> float:
-        """Take the next word, which has to be a finite number."""
+        """Take the next word, which has to be a number of sensible size."""
         word = self.take()
         try:
             number = float(word.text)
         except ValueError:
             number = math.nan
-        if not math.isfinite(number):
+        if not abs(number) < LARGEST_NUMBER:
             self.refuse(word, f"'{word.text}' stands where a number of {place} should")
         return number
 

@@ -1,0 +1,47 @@
+"""A motion at other times than its own."""
+
+import numpy as np
+
+from usdmotion.arrays import Floats
+from usdmotion.kernels import slerp
+from usdmotion.motion import Motion
+
+_SAMPLE_SLACK = 1e-6
+"""Parts of a sample by which a clip may end early and keep its last one: times are rounded."""
+
+
+def resample(motion: Motion, times: Floats) -> Motion:
+    """Return a motion at other times: exact at its own samples, held before the first and after
+    the last, between them turning evenly the shorter way and moving along straight lines.
+
+    Args:
+        motion: What to resample.
+        times: Seconds, ascending, shape (time_count,).
+    """
+    own = motion.times
+    before = np.clip(np.searchsorted(own, times, side="right") - 1, 0, max(len(own) - 2, 0))
+    after = np.minimum(before + 1, len(own) - 1)
+    span = own[after] - own[before]
+    past = np.divide(times - own[before], span, out=np.zeros(len(times)), where=span > 0.0)
+    share = np.clip(past, 0.0, 1.0)[:, None]
+
+    start, end = motion.translations[before], motion.translations[after]
+    # Both products, not start + share * (end - start), which would miss the end by a rounding.
+    translations = (1.0 - share)[..., None] * start + share[..., None] * end
+    start, end = motion.rotations[before], motion.rotations[after]
+    rotations = slerp(start, end, np.broadcast_to(share, start.shape[:2]))
+    rotations = np.where((share == 0.0)[..., None], start, rotations)
+    rotations = np.where((share == 1.0)[..., None], end, rotations)
+    return Motion(times, translations, rotations)
+
+
+def evenly(motion: Motion, rate: float) -> Motion:
+    """Return a motion with evenly spaced samples from its first time to its last.
+
+    Args:
+        motion: What to resample.
+        rate: Samples per second.
+    """
+    start, end = motion.times[0], motion.times[-1]
+    count = int((end - start) * rate + _SAMPLE_SLACK) + 1
+    return resample(motion, start + np.arange(count) / rate)
