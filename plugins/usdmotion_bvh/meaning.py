@@ -24,7 +24,8 @@ class Wishes:
     """Metres per unit; 0 leaves it to the data."""
     root: str = "auto"
     up: str = "auto"
-    root_scale: float = 1.0
+    root_scale: float = 0.0
+    """Factor on the root's positions; 0 takes them as they are, unless they contradict OFFSETs."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,7 +49,7 @@ def decide_meaning(take: Take, wishes: Wishes) -> Meaning:
     hierarchy, poses = take.hierarchy, take.poses
     height = body_height(hierarchy)
     leaders = leading(poses)
-    factors = np.where(leaders, wishes.root_scale, 1.0)
+    factors = np.where(leaders, wishes.root_scale or 1.0, 1.0)
     poses = dataclasses.replace(poses, positions=poses.positions * factors[:, None])
 
     below, notes = decide_followers(take.source, hierarchy, poses)
@@ -59,15 +60,16 @@ def decide_meaning(take: Take, wishes: Wishes) -> Meaning:
     relative |= leaders & (rule == "relative")
     translations = local_translations(poses, relative)
     points = world_positions(hierarchy, poses, translations)
-    _refuse_clash(take, points, AXIS[up], wishes.root_scale)
+    if wishes.root_scale == 0.0:
+        _refuse_clash(take, points, AXIS[up])
     metres, unit_notes = decide_unit(height, len(leaders), wishes.unit)
     notes += [*up_notes, *root_notes, *unit_notes, *find_jumps(points, height)]
     return Meaning(translations, up, metres, tuple(notes))
 
 
-def _refuse_clash(take: Take, points: Floats, axis: int, root_scale: float) -> None:
+def _refuse_clash(take: Take, points: Floats, axis: int) -> None:
     factor = path_factor(points, axis)
-    if factor != 1.0 and root_scale == 1.0:
+    if factor != 1.0:
         says = "the root's positions and the OFFSETs are in different units"
         cure = f"the feet stand still with the option root_scale={factor:.2g}"
         raise take.source.refusal(take.rows.first_line, f"{says}; {cure}")

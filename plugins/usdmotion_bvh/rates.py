@@ -26,15 +26,17 @@ def decide_rate(source: Source, rows: Rows, wanted: float) -> tuple[float, list[
         FileError: The file gives no rate and nobody else does.
     """
     if wanted > 0.0:
-        return wanted, [f"{wanted:g} samples per second as asked, not Frame Time {rows.frame_time}"]
+        said = f"Frame Time is {rows.frame_time or 'missing'}"
+        return wanted, [f"{said}: overruled by {wanted:g} samples per second"]
     try:
         seconds = float(rows.frame_time)
     except ValueError:
         seconds = math.nan
     if not _SHORTEST < seconds < _LONGEST:
-        says = f"Frame Time is {rows.frame_time!r}" if rows.frame_time else "there is no Frame Time"
+        wrong = f"'{rows.frame_time}' is no Frame Time in seconds"
+        says = wrong if rows.frame_time else "there is no Frame Time"
         cure = "the option rate gives the samples per second"
-        raise source.refusal(rows.frame_time_line, f"{says}, not the seconds of a frame; {cure}")
+        raise source.refusal(rows.frame_time_line, f"{says}; {cure}")
     rate = _meant(seconds, rows.frame_time)
     if not _PLAUSIBLE[0] <= rate <= _PLAUSIBLE[1]:
         says = f"Frame Time {rows.frame_time} s is not plausible: {rate:g} samples per second"

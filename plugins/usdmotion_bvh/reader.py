@@ -36,9 +36,9 @@ class BvhReader:
     )
     up: str = option("auto", "The axis of the file that points up.", choices=("auto", "Y", "Z"))
     root_scale: float = option(
-        1.0,
-        "Factor on the root's positions where they are in another unit than OFFSETs.",
-        minimum=1e-6,
+        0.0,
+        "Factor on the root's positions; 0 takes them as they are and refuses a clash of units.",
+        minimum=0.0,
     )
 
     def read(self, path: Path) -> Recording:

@@ -103,8 +103,9 @@ def _mended(
     cut = len(rows) > 1 and [row.line for row in odd] == [last.line]
     if cut and len(last.numbers) < channel_count and _expected(claimed, rows):
         return rows[:-1], [f"the file is cut off in line {last.line}: that frame is left out"]
-    found = f"this frame has {len(odd[0].numbers)} numbers"
-    raise source.refusal(odd[0].line, f"{found}, but the joints have {channel_count} channels")
+    wanted = f"a number for each of the {channel_count} channels"
+    found = f"this frame has {len(odd[0].numbers)} in place of {wanted}"
+    raise source.refusal(odd[0].line, found)
 
 
 def _expected(claimed: str, rows: list[_Row]) -> bool:
