@@ -1,0 +1,16 @@
+"""The only reader and writer of USD.
+
+Importing it makes USD know the schema and those of plugins, so do it before opening a stage.
+"""
+
+from usdmotion.plugins import host
+from usdmotion.usd.registration import register
+
+register(host().schemas)
+
+from usdmotion.usd.authoring import author, author_edit  # noqa: E402
+from usdmotion.usd.reading import read  # noqa: E402
+from usdmotion.usd.shot import Result, Shot  # noqa: E402
+from usdmotion.usd.writing import compose, write  # noqa: E402
+
+__all__ = ["Result", "Shot", "author", "author_edit", "compose", "read", "write"]

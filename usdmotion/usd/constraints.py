@@ -1,0 +1,94 @@
+"""The constraints of an edit, of any kind, from their prims."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+from pxr import Usd
+
+from usdmotion.arrays import Floats
+from usdmotion.constraints import Constraint
+from usdmotion.errors import SceneError
+from usdmotion.usd.attributes import collapse, read_fields
+from usdmotion.usd.characters import Sitting
+from usdmotion.usd.faults.relations import edit_of, is_a
+from usdmotion.usd.goals import read_goal, space_skeleton
+from usdmotion.usd.shot import Facts
+
+
+def constraint_prims(edit: Usd.Prim) -> Iterator[Usd.Prim]:
+    """Yield the constraints of an edit, at any depth, in the order of the stage."""
+    for prim in Usd.PrimRange(edit):
+        if _is_constraint(prim) and edit_of(prim) == edit:
+            yield prim
+
+
+def goal_prims(constraint: Usd.Prim) -> Iterator[Usd.Prim]:
+    """Yield the goals of a constraint."""
+    for prim in constraint.GetChildren():
+        if is_a(prim, "UsdMotionGoal"):
+            yield prim
+
+
+def skeletons_of_goals(edit: Usd.Prim) -> dict[str, Usd.Prim]:
+    """Return the Skeletons in whose joints' frames an edit has goals, by their paths."""
+    goals = [goal for constraint in constraint_prims(edit) for goal in goal_prims(constraint)]
+    skeletons = [space_skeleton(goal) for goal in goals]
+    return {str(each.GetPath()): each for each in skeletons if each is not None}
+
+
+def read_constraints(
+    edit: Usd.Prim,
+    skeleton: str,
+    kinds: Sequence[type[Constraint]],
+    sittings: Mapping[str, Sitting],
+    time_codes: Floats,
+    facts: Facts,
+) -> tuple[Constraint, ...]:
+    """Return the constraints of an edit in the order of the stage.
+
+    Args:
+        edit: The MotionEdit.
+        skeleton: Path of the Skeleton that it solves.
+        kinds: What prims can be read as.
+        sittings: The characters of the scene by the paths of their skeletons.
+        time_codes: The frames.
+        facts: Units and rates of the stage.
+
+    Raises:
+        SceneError: One is of a kind that nobody knows, or says what cannot be.
+    """
+    known = {kind.schema: kind for kind in kinds}
+    found = []
+    for prim in constraint_prims(edit):
+        kind = known.get(str(prim.GetTypeName()))
+        if kind is None:
+            raise SceneError(
+                f"<{prim.GetPath()}> is a {prim.GetTypeName()}, which nothing installed here can "
+                f"solve; deactivate it, or use one of {', '.join(sorted(known))}"
+            )
+        constraint = kind(
+            path=str(prim.GetPath()),
+            skeleton=skeleton,
+            goals=tuple(read_goal(goal, sittings, time_codes, facts) for goal in goal_prims(prim)),
+            **read_fields(prim, kind, time_codes, facts),
+        )
+        found.append(_placed(constraint, sittings[skeleton], facts))
+    return tuple(found)
+
+
+def _is_constraint(prim: Usd.Prim) -> bool:
+    # A type that USD does not know is nothing but a name, and a constraint must not go unseen.
+    name = str(prim.GetTypeName())
+    return is_a(prim, "UsdMotionConstraint") or (
+        name.startswith("Motion") and name.endswith("Constraint")
+    )
+
+
+def _placed(constraint: Constraint, sitting: Sitting, facts: Facts) -> Constraint:
+    """Return a constraint with its point in metres of a joint that may be scaled."""
+    joint = sitting.character.skeleton.index.get(constraint.joint)
+    if joint is None or not np.any(constraint.point):
+        return constraint
+    scales = sitting.scaling.of_joints[:, joint] / facts.meters_per_unit
+    return replace(constraint, point=collapse(constraint.point * scales))

@@ -1,0 +1,213 @@
+"""Which MotionEdits there are to solve, what each solves, and from which motion."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from pxr import Usd
+
+from usdmotion.arrays import Floats
+from usdmotion.errors import SceneError
+from usdmotion.usd.clips import own_times
+from usdmotion.usd.faults import CHECKS, Fault
+from usdmotion.usd.faults.relations import (
+    bound_animation,
+    floats,
+    is_a,
+    names_target,
+    skeleton_of,
+    target,
+    value,
+)
+from usdmotion.usd.shot import Facts
+from usdmotion.usd.stages import refuse
+from usdmotion.usd.times import solved_times
+
+_OPTION = "usdmotion:option:"
+_COSTLY = ("Animation", "Recruiting")
+"""Checks that read whole animations: reading does that itself, and breaking the rule is allowed."""
+
+
+@dataclass(frozen=True, eq=False)
+class Request:
+    """One edit that is to be solved, as prims."""
+
+    edit: Usd.Prim
+    skeleton: Usd.Prim
+    source: Usd.Prim
+    time_codes: Floats
+    """When, were it solved alone."""
+
+    @property
+    def path(self) -> str:
+        """Path of the edit."""
+        return str(self.edit.GetPath())
+
+
+def find_edits(stage: Usd.Stage, wanted: Sequence[str]) -> list[Usd.Prim]:
+    """Return the MotionEdits of a stage in its order, or those that are wanted.
+
+    Raises:
+        SceneError: There is none, or a wanted one is not there.
+    """
+    prims = Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
+    edits = {str(prim.GetPath()): prim for prim in prims if is_a(prim, "UsdMotionEdit")}
+    if not edits:
+        raise SceneError("there is no MotionEdit to solve; put one under the Skeleton")
+    for path in wanted:
+        if path not in edits:
+            raise SceneError(f"<{path}> is no MotionEdit; there are: {', '.join(edits)}")
+    chosen = [prim for path, prim in edits.items() if not wanted or path in wanted]
+    for prim in chosen:
+        if prim.IsInstanceProxy():
+            raise SceneError(
+                f"<{prim.GetPath()}> is inside an instance, where no result can be written; move "
+                "it out and name its skeleton in usdmotion:skeleton"
+            )
+    return chosen
+
+
+def request(edit: Usd.Prim, frames: tuple[float, float] | None, facts: Facts) -> Request:
+    """Return what an edit asks to be solved.
+
+    Args:
+        edit: The MotionEdit.
+        frames: First and last time code, over what the edit says.
+        facts: Rates and range of the stage.
+
+    Raises:
+        SceneError: It cannot be solved as it is.
+    """
+    refuse(_faults(edit))
+    _refuse_later(edit)
+    skeleton = skeleton_of(edit)
+    refuse(_faults(skeleton))
+    source = source_of(edit, skeleton)
+    span = floats(value(edit, "usdmotion:range", ()))
+    times = solved_times(
+        own_times(source),
+        frames or ((span[0], span[1]) if span else None),
+        float(value(edit, "usdmotion:sampleRate", 0.0)),
+        facts,
+        f"<{edit.GetPath()}>",
+    )
+    return Request(edit, skeleton, source, times)
+
+
+def refuse_rivals(requests: Sequence[Request]) -> None:
+    """Raise if two edits are to solve one skeleton, because only one result can be bound to it.
+
+    Raises:
+        SceneError: Two do.
+    """
+    seen: dict[str, str] = {}
+    for each in requests:
+        skeleton = str(each.skeleton.GetPath())
+        if skeleton in seen:
+            raise SceneError(
+                f"<{seen[skeleton]}> and <{each.path}> both solve <{skeleton}>; solve one after "
+                "the other, each named with --edit, or deactivate one"
+            )
+        seen[skeleton] = each.path
+
+
+def options_of(edit: Usd.Prim) -> dict[str, object]:
+    """Return the solver options that an edit carries."""
+    attributes = edit.GetAuthoredPropertiesInNamespace(_OPTION.rstrip(":"))
+    return {
+        attribute.GetName().removeprefix(_OPTION): attribute.Get(Usd.TimeCode.EarliestTime())
+        for attribute in attributes
+        if isinstance(attribute, Usd.Attribute) and attribute.HasAuthoredValue()
+    }
+
+
+def source_of(edit: Usd.Prim, skeleton: Usd.Prim) -> Usd.Prim:
+    """Return the SkelAnimation that an edit starts from.
+
+    It is the one that it names; else the one that is bound or, where that depends on the edit
+    itself, the first on the way back through the results that does not.
+
+    Raises:
+        SceneError: There is none.
+    """
+    named = target(edit, "usdmotion:source")
+    if named is not None:
+        if depends_on(named, edit):
+            raise SceneError(
+                f"<{edit.GetPath()}> starts from <{named.GetPath()}>, which is made from its own "
+                "result; clear usdmotion:source, or name another"
+            )
+        return named
+    source = bound_animation(skeleton)
+    while source is not None and depends_on(source, edit):
+        behind = target(source, "usdmotion:result:source")
+        if behind is None:
+            raise SceneError(
+                f"<{source.GetPath()}> is a result of <{edit.GetPath()}> and does not say from "
+                "what; name the motion to start from in usdmotion:source"
+            )
+        source = behind
+    assert source is not None, "an edit of a skeleton that nothing moves is refused before"
+    return source
+
+
+def depends_on(animation: Usd.Prim, edit: Usd.Prim) -> bool:
+    """Tell whether an animation is a result of an edit, or was made from one."""
+    seen = set()
+    step: Usd.Prim | None = animation
+    while step is not None and step.GetPath() not in seen:
+        seen.add(step.GetPath())
+        relationship = step.GetRelationship("usdmotion:result:edit")
+        if relationship and edit.GetPath() in relationship.GetTargets():
+            return True
+        step = target(step, "usdmotion:result:source")
+    return False
+
+
+def result_path(edit: Usd.Prim) -> str:
+    """Return where the result of an edit is written: beside it.
+
+    Raises:
+        SceneError: Something else is there.
+    """
+    path = f"{edit.GetPath()}_result"
+    there = edit.GetStage().GetPrimAtPath(path)
+    if there and not depends_on(there, edit):
+        raise SceneError(
+            f"<{path}> is where the result of <{edit.GetPath()}> is written, and it is something "
+            "else; rename one of them"
+        )
+    return path
+
+
+def animation_to_bind(edit: Usd.Prim, skeleton: Usd.Prim) -> str:
+    """Return the path of what is to be bound: the result, or what another edit stacked on it."""
+    bound = bound_animation(skeleton)
+    if bound is not None and depends_on(bound, edit):
+        return str(bound.GetPath())
+    return result_path(edit)
+
+
+def _faults(top: Usd.Prim) -> list[Fault]:
+    """List what is wrong with a prim and everything below it that could keep it from solving."""
+    prims = Usd.PrimRange(top) if is_a(top, "UsdMotionEdit") else [top]
+    return [
+        fault
+        for prim in prims
+        for check in CHECKS
+        if check.name not in _COSTLY and check.concerns(prim)
+        for fault in check.find(prim)
+    ]
+
+
+def _refuse_later(edit: Usd.Prim) -> None:
+    """Refuse what an edit may ask for and nothing does yet."""
+    asked = {
+        "smoothing": float(value(edit, "usdmotion:smoothing", 0.0)) > 0.0,
+        "passes": int(value(edit, "usdmotion:passes", 1)) > 1,
+        "ground": names_target(edit, "usdmotion:ground"),
+    }
+    for name, wanted in asked.items():
+        if wanted:
+            raise SceneError(
+                f"<{edit.GetPath()}> sets usdmotion:{name}, which this version cannot do; clear it"
+            )

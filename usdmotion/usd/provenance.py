@@ -1,0 +1,66 @@
+"""Where a result comes from: the version that made it, and a hash of what was read."""
+
+import dataclasses
+import hashlib
+import struct
+from collections.abc import Mapping, Sequence
+from importlib.metadata import PackageNotFoundError, version
+from typing import Any
+
+import numpy as np
+
+from usdmotion.usd.shot import Result, Shot, Take
+
+_NOT_READ = ("holder", "bound")
+"""Fields of a take that only say where the result goes."""
+
+
+def own_version() -> str:
+    """Return the version of usdmotion."""
+    try:
+        return version("usdmotion")
+    except PackageNotFoundError:  # run from a folder that nobody installed
+        return "unknown"
+
+
+def input_hash(shot: Shot, take: Take) -> str:
+    """Return a hash of everything that an edit's result depends on, but for its solver."""
+    digest = hashlib.sha256()
+    _feed(digest, [shot.facts, shot.scene(take.edit)])
+    read = [field.name for field in dataclasses.fields(take) if field.name not in _NOT_READ]
+    _feed(digest, [getattr(take, name) for name in read])
+    return digest.hexdigest()
+
+
+def provenance(results: Sequence[Result], hashes: Mapping[str, str]) -> dict[str, object]:
+    """Return what the layer says of itself: version, solver, options, hashes of what was read."""
+    return {
+        "version": own_version(),
+        "solver": ", ".join(sorted({result.solver for result in results})),
+        "options": {result.edit: dict(result.options) for result in results},
+        "hashes": dict(hashes),
+    }
+
+
+def _feed(digest: Any, value: Any) -> None:
+    """Add a value to a digest so that values that differ never add the same bytes."""
+    if isinstance(value, np.ndarray):
+        digest.update(f"array {value.dtype.str} {value.shape};".encode())
+        digest.update(np.ascontiguousarray(value).data)
+    elif dataclasses.is_dataclass(value):
+        digest.update(f"{type(value).__name__};".encode())
+        _feed(digest, {each.name: getattr(value, each.name) for each in dataclasses.fields(value)})
+    elif isinstance(value, Mapping):
+        digest.update(f"mapping {len(value)};".encode())
+        for key in sorted(value, key=str):
+            _feed(digest, str(key))
+            _feed(digest, value[key])
+    elif isinstance(value, (tuple, list)):
+        digest.update(f"sequence {len(value)};".encode())
+        for each in value:
+            _feed(digest, each)
+    elif isinstance(value, float):
+        digest.update(b"float" + struct.pack("<d", value))
+    else:
+        text = f"{type(value).__name__} {value}".encode()
+        digest.update(f"{len(text)};".encode() + text)

@@ -1,0 +1,78 @@
+"""Opening a stage, and what it says of itself."""
+
+import os
+from pathlib import Path
+
+from pxr import Sdf, Tf, Usd, UsdGeom
+
+from usdmotion.errors import FileError, SceneError
+from usdmotion.usd.faults import Fault
+from usdmotion.usd.shot import Facts
+
+
+def open_stage(path: Path) -> Usd.Stage:
+    """Return the stage of a file.
+
+    Raises:
+        FileError: USD cannot read it.
+    """
+    if not path.is_file():
+        raise FileError(f"{path}: there is no such file")
+    try:
+        return Usd.Stage.Open(str(path))
+    except Tf.ErrorException as error:
+        raise FileError(f"{path}: USD cannot read it: {reason(error)}") from error
+
+
+def reason(error: Tf.ErrorException) -> str:
+    """Return what USD has to say about a failure, in one line."""
+    said = [getattr(each, "commentary", str(each)) for each in error.args]
+    return " ".join(said[0].split()) if said else "it does not say why"
+
+
+def read_facts(stage: Usd.Stage) -> Facts:
+    """Return the units, axis and rates of a stage."""
+    layer = stage.GetRootLayer()
+    return Facts(
+        meters_per_unit=UsdGeom.GetStageMetersPerUnit(stage),
+        up_axis=str(UsdGeom.GetStageUpAxis(stage)),  # type: ignore[arg-type]
+        time_codes_per_second=stage.GetTimeCodesPerSecond(),
+        frames_per_second=stage.GetFramesPerSecond(),
+        start=layer.startTimeCode if stage.HasAuthoredTimeCodeRange() else None,
+        end=layer.endTimeCode if stage.HasAuthoredTimeCodeRange() else None,
+        default_prim=layer.defaultPrim,
+    )
+
+
+def used_files(stage: Usd.Stage) -> frozenset[str]:
+    """Return the real paths of the files that a stage is made of."""
+    layers = [layer for layer in stage.GetUsedLayers() if layer.realPath]
+    return frozenset(
+        os.path.realpath(Sdf.Layer.SplitIdentifier(layer.realPath)[0].split("[")[0])
+        for layer in layers
+    )
+
+
+def composition_faults(stage: Usd.Stage) -> list[Fault]:
+    """List what could not be composed: files that are not there, arcs that lead nowhere."""
+    return [
+        Fault(
+            str(error.rootSite.path),
+            "Composition",
+            f"<{error.rootSite.path}> does not compose: {' '.join(str(error).split())}",
+        )
+        for error in stage.GetCompositionErrors()
+    ]
+
+
+def refuse(faults: list[Fault]) -> None:
+    """Raise the first of the errors among some faults, and say how many more there are.
+
+    Raises:
+        SceneError: There are any.
+    """
+    errors = [fault for fault in faults if fault.severity == "error"]
+    if errors:
+        more = len(errors) - 1
+        rest = f" (and {more} more, which `usdmotion inspect` lists)" if more else ""
+        raise SceneError(errors[0].sentence + rest)

@@ -1,0 +1,107 @@
+"""The writer: results become one layer to be put over the shot."""
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+from pxr import Sdf, Usd
+
+from usdmotion.errors import SceneError
+from usdmotion.usd.layers import (
+    apply_schema,
+    new_layer,
+    over,
+    relate,
+    require_writable,
+    save,
+    set_value,
+    write_animation,
+)
+from usdmotion.usd.provenance import input_hash, own_version, provenance
+from usdmotion.usd.results import result_of
+from usdmotion.usd.shot import Result, Shot, Take
+from usdmotion.usd.sources import SOURCE
+
+
+def write(shot: Shot, results: Sequence[Result], output: Path) -> None:
+    """Write the layer that puts results over the shot they were made from.
+
+    Args:
+        shot: What was read.
+        results: One for each edit that was solved.
+        output: The layer to write.
+
+    Raises:
+        FileError: It cannot be written there, or is a layer that was read.
+        SceneError: A result does not fit its edit.
+    """
+    require_writable(output, shot.layers)
+    takes = {take.edit: take for take in shot.takes}
+    layer = new_layer(shot.facts)
+    hashes = {result.edit: input_hash(shot, takes[result.edit]) for result in results}
+    with Sdf.ChangeBlock():
+        for result in results:
+            take = takes[result.edit]
+            _write_result(layer, shot, take, result, hashes[result.edit])
+            _write_binding(layer, take)
+        layer.customLayerData = {"usdmotion": provenance(results, hashes)}
+    save(layer, output)
+
+
+def compose(shot: Shot, edit_layer: Path, output: Path) -> None:
+    """Write a tiny layer that shows a result over its shot.
+
+    Args:
+        shot: What was read.
+        edit_layer: The layer that `write` wrote.
+        output: The layer to write.
+
+    Raises:
+        FileError: It cannot be written there, or is a layer that was read.
+    """
+    inputs = shot.layers | {os.path.realpath(edit_layer)}
+    require_writable(output, inputs)
+    layer = new_layer(shot.facts)
+    if shot.facts.default_prim:
+        layer.defaultPrim = shot.facts.default_prim
+    layer.subLayerPaths[:] = [_relative(path, output) for path in (edit_layer, shot.path)]
+    known = Usd.Stage.CreateInMemory()
+    known.WriteFallbackPrimTypes()
+    fallbacks = known.GetRootLayer().pseudoRoot.GetInfo("fallbackPrimTypes")
+    layer.pseudoRoot.SetInfo("fallbackPrimTypes", fallbacks)
+    save(layer, output)
+
+
+def _write_result(layer: Sdf.Layer, shot: Shot, take: Take, result: Result, digest: str) -> None:
+    scene = shot.scene(take.edit)
+    edit = next(edit for edit in scene.edits if edit.path == take.edit)
+    character = scene.character(edit.skeleton)
+    if result.motion.rotations.shape != character.motion.rotations.shape:
+        raise SceneError(
+            f"the result of <{take.edit}> has {result.motion.rotations.shape[:2]} frames and "
+            f"joints instead of {character.motion.rotations.shape[:2]}"
+        )
+    prim = over(layer, take.result)
+    extras = Sdf.Layer.CreateAnonymous(".usda")
+    extras.ImportFromString(take.extras)
+    Sdf.CopySpec(extras, SOURCE, layer, prim.path)
+    joints, samples = result_of(take, character.motion, result.motion, character.skeleton.joints)
+    write_animation(prim, joints, samples)
+    apply_schema(prim, "MotionResultAPI")
+    relate(prim, "usdmotion:result:edit", take.edit)
+    relate(prim, "usdmotion:result:source", take.source)
+    set_value(prim, "usdmotion:result:solver", Sdf.ValueTypeNames.Token, result.solver)
+    set_value(prim, "usdmotion:result:version", Sdf.ValueTypeNames.String, own_version())
+    set_value(prim, "usdmotion:result:inputHash", Sdf.ValueTypeNames.String, digest)
+
+
+def _write_binding(layer: Sdf.Layer, take: Take) -> None:
+    holder = over(layer, take.holder)
+    apply_schema(holder, "SkelBindingAPI")
+    relate(holder, "skel:animationSource", take.bound)
+
+
+def _relative(path: Path, output: Path) -> str:
+    folder = os.path.realpath(output.parent)
+    relative = os.path.relpath(os.path.realpath(path), folder)
+    return f"./{Path(relative).as_posix()}" if not relative.startswith("..") else relative
