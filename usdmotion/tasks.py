@@ -115,7 +115,7 @@ def tabulate(demands: Sequence[Demand], frame_count: int, node_count: int) -> Ta
         level=_ints([ranks[demand.priority] for demand in owners]),
         constraint=_ints([index for index, _, _ in rows]),
         weight=over([demand.weight for demand in owners]),
-        activity=over([demand.activity for demand in owners]),
+        activity=over([d.activity * (d.weight > 0.0) for d in owners]),
         recruits=_stack([demand.recruits for demand in owners], node_count, dtype=np.bool_),
         axes=_stack([np.array(each.held) for each in axes], 3, dtype=np.bool_),
         axes_node=_ints([each.node for each in axes]),

@@ -3,8 +3,6 @@
 import math
 from typing import NamedTuple
 
-import numpy as np
-
 from usdmotion.arrays import Bools, Floats, Ints
 from usdmotion.kernels import (
     TaskTable,
@@ -16,6 +14,7 @@ from usdmotion.kernels import (
     task_rows,
 )
 from usdmotion.kernels.quaternions import (
+    Quaternion,
     inverse,
     product,
     quaternion,
@@ -26,6 +25,14 @@ from usdmotion.kernels.quaternions import (
 from usdmotion_prioritized_ik.stack import Stack, descend, remove_spanned
 
 SETTLED, LIMIT = 1, 2
+EXACT = 1e-9
+"""An error below this is none [m or rad]."""
+MISSED = 1e-7
+"""An error above this, after the finish, is out of reach [m or rad]."""
+LEAK = 1e-6
+"""What a lower level may cost a higher one [m or rad]."""
+FEW = 6
+"""Iterations that are enough for whatever is within reach."""
 TURN_LENGTH = 0.2
 """A radian of a rotation task counts as so many metres, about the lever of a hand or a foot."""
 
@@ -66,6 +73,8 @@ class Pose(NamedTuple):
     orientations: Floats
     recruited: Bools
     """(N,) which nodes may move."""
+    saved_translations: Floats
+    saved_rotations: Floats
     columns: Ints
     """(N,) first column of each node that may move, -1 for the others."""
     on: Bools
@@ -82,12 +91,24 @@ class Pose(NamedTuple):
     """(3,) scratch."""
 
 
+class Carried(NamedTuple):
+    """The displacement found on the frame before, for the first 1, 2, … L levels."""
+
+    valid: Bools
+    """(L,)"""
+    translations: Floats
+    """(L, N, 3) to be added to the input's."""
+    rotations: Floats
+    """(L, N, 4) to be applied before the input's."""
+
+
 @kernel
 def solve_clip(
     given: Input,
     table: TaskTable,
     settings: Settings,
     pose: Pose,
+    carried: Carried,
     stack: Stack,
     translations: Floats,
     rotations: Floats,
@@ -96,142 +117,278 @@ def solve_clip(
 ) -> None:
     """(F, N, 3), (F, N, 4), (F,), (F,) are written, frame by frame.
 
-    A frame starts from the input posture with the displacement of the frame before on every joint
-    that still moves: 2004, equation 4 starts from the posture itself, which lags more.
+    What is fully on is solved first, then what eases in or out joins in rank order. An easing task
+    leaves the share 1 − a of the error that it has in the frame solved without it (DESIGN,
+    section 6: x_free + a (goal − x_free)).
     """
     for frame in range(given.rotations.shape[0]):
-        _solve_frame(
-            given, table, settings, pose, stack, frame,
-            translations, rotations, iterations, stops,
-        )  # fmt: skip
+        easing = _begin(table, pose, frame)
+        spent, stop = 0, SETTLED
+        for task in range(table.kind.shape[0] + 1):
+            last = task == table.kind.shape[0]
+            if not last and (pose.on[task] or table.activity[frame, task] == 0.0):
+                continue
+            if last or easing:
+                more, stop = _solve(given, table, settings, pose, carried, stack, frame, last)
+                spent += more
+            if not last:
+                _keep(table, pose, frame, task, 1.0 - table.activity[frame, task])
+                pose.on[task] = True
+        iterations[frame], stops[frame] = spent, stop
+        for node in range(given.parents.shape[0]):
+            for axis in range(3):
+                translations[frame, node, axis] = pose.translations[node, axis]
+            for axis in range(4):
+                rotations[frame, node, axis] = pose.rotations[node, axis]
 
 
 @inlined
-def _solve_frame(
+def _begin(table: TaskTable, pose: Pose, frame: int) -> bool:
+    """Turn on the tasks that are fully active; return whether others ease."""
+    easing = False
+    for task in range(table.kind.shape[0]):
+        activity = table.activity[frame, task]
+        pose.on[task] = activity >= 1.0
+        for axis in range(3):
+            pose.kept[task, axis] = 0.0
+        easing |= 0.0 < activity < 1.0
+    return easing
+
+
+@inlined
+def _keep(table: TaskTable, pose: Pose, frame: int, task: int, share: float) -> None:
+    """From here on a task is to leave a share of the error that it has now."""
+    error = task_error(table, frame, task, pose.positions, pose.orientations)
+    for axis in range(3):
+        pose.kept[task, axis] = share * error[axis]
+
+
+@inlined
+def _solve(
+    given: Input,
+    table: TaskTable,
+    settings: Settings,
+    pose: Pose,
+    carried: Carried,
+    stack: Stack,
+    frame: int,
+    last: bool,
+) -> tuple[int, int]:
+    """Solve all levels at once; where one is out of reach, level by level from there on.
+
+    Projection is exact only to first order, so that a level that is missed still gives way to the
+    levels under it. What it attains without them is therefore found first, and kept as its goal
+    while they are solved: then all levels above are within reach, and given up to nobody.
+    """
+    levels = carried.valid.shape[0]
+    _recruit(given, table, pose, levels)
+    _start(given, pose, carried, frame, levels - 1)
+    spent, stop = _settle(given, table, settings, pose, stack, frame, levels)
+    spent += _finish(given, table, settings, pose, stack, frame, levels, FEW)
+    first = _first_missed(table, pose, levels)
+    for level in range(levels - 1):
+        carried.valid[level] &= level >= first
+    for level in range(first, levels):
+        if first < levels - 1:
+            _recruit(given, table, pose, level + 1)
+            if carried.valid[level] or level == first:
+                _start(given, pose, carried, frame, level)
+            more, stop = _settle(given, table, settings, pose, stack, frame, level + 1)
+            spent += more
+        spent += _last_level(given, table, settings, pose, stack, frame, level, level > first)
+        if last and level < levels - 1:
+            _carry(given, pose, carried, frame, level)
+        for task in range(table.kind.shape[0]):
+            if table.level[task] == level and pose.on[task]:
+                _keep(table, pose, frame, task, 1.0)
+        _save(pose)
+    if last:
+        _carry(given, pose, carried, frame, levels - 1)
+    return spent, stop
+
+
+@inlined
+def _last_level(
     given: Input,
     table: TaskTable,
     settings: Settings,
     pose: Pose,
     stack: Stack,
     frame: int,
-    translations: Floats,
-    rotations: Floats,
-    iterations: Ints,
-    stops: Ints,
-) -> None:
-    """Solve one frame: what is fully on first, then what eases in or out, in rank order.
+    level: int,
+    saved: bool,
+) -> int:
+    """Bring a level as near as the levels above allow; return the iterations.
 
-    An easing task leaves the share 1 − a of the error that it has in the frame solved without it
-    (DESIGN, section 6: x_free + a (goal − x_free)).
+    First all levels, then without the lowest, and so on up the ranks. Where two levels are met at
+    one point only, that does not bring the upper ones back. Then the pose in which they were met
+    is taken up again, and left only by steps that bring this level nearer and cost them nothing.
     """
-    count = table.kind.shape[0]
-    easing = 0
-    for task in range(count):
-        activity = table.activity[frame, task]
-        pose.on[task] = activity >= 1.0
+    spent = 0
+    for levels in range(level + 1, 0, -1):
+        spent += _finish(given, table, settings, pose, stack, frame, levels, settings.finish)
+    if not saved or _worst(table, pose, level) < LEAK:
+        return spent
+    _restore(given, pose)
+    _linearize(given, table, settings, pose, stack, frame, level + 1)
+    best = _left(table, pose, level)
+    scale = 1.0
+    for _ in range(settings.finish):
+        if scale < 1e-3:
+            break
+        _linearize(given, table, settings, pose, stack, frame, level + 1)
+        _iterate(given, settings, pose, stack, frame, level + 1, False, scale)
+        for levels in range(level, 0, -1):
+            spent += 1 + _finish(given, table, settings, pose, stack, frame, levels, FEW)
+        _linearize(given, table, settings, pose, stack, frame, level + 1)
+        left = _left(table, pose, level)
+        if left < best and _worst(table, pose, level) < LEAK:
+            best = left
+            _save(pose)
+        else:
+            scale *= 0.3
+            _restore(given, pose)
+    return spent
+
+
+@inlined
+def _worst(table: TaskTable, pose: Pose, levels: int) -> float:
+    worst = 0.0
+    for task in range(table.kind.shape[0]):
+        if table.level[task] < levels and pose.on[task]:
+            worst = max(worst, pose.errors[task])
+    return worst
+
+
+@inlined
+def _left(table: TaskTable, pose: Pose, level: int) -> float:
+    square = 0.0
+    for task in range(table.kind.shape[0]):
+        if table.level[task] == level and pose.on[task]:
+            square += pose.errors[task] ** 2
+    return square
+
+
+@inlined
+def _save(pose: Pose) -> None:
+    for node in range(pose.rotations.shape[0]):
         for axis in range(3):
-            pose.kept[task, axis] = 0.0
-        if 0.0 < activity < 1.0 and table.weight[frame, task] > 0.0:
-            easing += 1
-    spent, stop = 0, SETTLED
-    for task in range(count + 1):
-        last = task == count
-        if not last and (pose.on[task] or table.activity[frame, task] == 0.0):
-            continue
-        if last or easing > 0:
-            _start(given, table, settings, pose, frame, translations, rotations)
-            more, stop = _converge(given, table, settings, pose, stack, frame)
-            spent += more
-        if not last:
-            _keep_share(table, pose, frame, task)
-    iterations[frame], stops[frame] = spent, stop
-    for node in range(given.parents.shape[0]):
-        for axis in range(3):
-            translations[frame, node, axis] = pose.translations[node, axis]
+            pose.saved_translations[node, axis] = pose.translations[node, axis]
         for axis in range(4):
-            rotations[frame, node, axis] = pose.rotations[node, axis]
+            pose.saved_rotations[node, axis] = pose.rotations[node, axis]
 
 
 @inlined
-def _keep_share(table: TaskTable, pose: Pose, frame: int, task: int) -> None:
-    """Turn an easing task on, with the error it is to leave; so are others of its constraint."""
-    error = task_error(table, frame, task, pose.positions, pose.orientations)
-    for axis in range(3):
-        pose.kept[task, axis] = (1.0 - table.activity[frame, task]) * error[axis]
-    pose.on[task] = True
+def _restore(given: Input, pose: Pose) -> None:
+    for node in range(pose.rotations.shape[0]):
+        for axis in range(3):
+            pose.translations[node, axis] = pose.saved_translations[node, axis]
+        for axis in range(4):
+            pose.rotations[node, axis] = pose.saved_rotations[node, axis]
+    place(given.parents, pose.translations, pose.rotations, pose.positions, pose.orientations)
 
 
 @inlined
-def _start(
+def _first_missed(table: TaskTable, pose: Pose, levels: int) -> int:
+    for task in range(table.kind.shape[0]):
+        if pose.on[task] and pose.errors[task] > MISSED:
+            return table.level[task]
+    return levels
+
+
+@inlined
+def _recruit(given: Input, table: TaskTable, pose: Pose, levels: int) -> None:
+    """Number the columns of the nodes that the first levels may move."""
+    for node in range(given.parents.shape[0]):
+        pose.recruited[node] = False
+        for task in range(table.kind.shape[0]):
+            if table.level[task] < levels and pose.on[task] and table.recruits[task, node]:
+                pose.recruited[node] = given.freedom[node] > 0.0
+    number_columns(pose.recruited, given.translates, pose.columns)
+
+
+@inlined
+def _start(given: Input, pose: Pose, carried: Carried, frame: int, carry: int) -> None:
+    """Write the posture to start from: the input's, with the displacement of the frame before.
+
+    2004, equation 4 starts from that frame's posture itself, which lags more.
+    """
+    for node in range(given.parents.shape[0]):
+        moves = carried.valid[carry] and pose.recruited[node]
+        for axis in range(3):
+            pose.translations[node, axis] = given.translations[frame, node, axis]
+            if moves and given.translates[node]:
+                pose.translations[node, axis] += carried.translations[carry, node, axis]
+        turn = _four(given.rotations[frame, node])
+        if moves:
+            turn = unit(product(turn, _four(carried.rotations[carry, node])))
+        for axis in range(4):
+            pose.rotations[node, axis] = turn[axis]
+    place(given.parents, pose.translations, pose.rotations, pose.positions, pose.orientations)
+
+
+@inlined
+def _carry(given: Input, pose: Pose, carried: Carried, frame: int, carry: int) -> None:
+    """Keep the displacement of the pose from the input for the next frame."""
+    carried.valid[carry] = True
+    for node in range(given.parents.shape[0]):
+        turn = product(
+            inverse(_four(given.rotations[frame, node])), _four(pose.rotations[node])
+        )  # fmt: skip
+        for axis in range(4):
+            carried.rotations[carry, node, axis] = turn[axis] if pose.recruited[node] else 0.0
+        if not pose.recruited[node]:
+            carried.rotations[carry, node, 3] = 1.0
+        for axis in range(3):
+            carried.translations[carry, node, axis] = (
+                pose.translations[node, axis] - given.translations[frame, node, axis]
+            )
+
+
+@inlined
+def _four(q: Floats) -> Quaternion:
+    return (q[0], q[1], q[2], q[3])
+
+
+@inlined
+def _settle(
     given: Input,
     table: TaskTable,
     settings: Settings,
     pose: Pose,
+    stack: Stack,
     frame: int,
-    translations: Floats,
-    rotations: Floats,
-) -> None:
-    """Write the posture that a frame starts from, and which nodes may move."""
-    for node in range(given.parents.shape[0]):
-        pose.recruited[node] = False
-        for task in range(table.kind.shape[0]):
-            if pose.on[task] and table.weight[frame, task] > 0.0 and table.recruits[task, node]:
-                pose.recruited[node] = given.freedom[node] > 0.0
-    number_columns(pose.recruited, given.translates, pose.columns)
-    before = frame - 1
-    for node in range(given.parents.shape[0]):
-        for axis in range(3):
-            pose.translations[node, axis] = given.translations[frame, node, axis]
-        for axis in range(4):
-            pose.rotations[node, axis] = given.rotations[frame, node, axis]
-        if before < 0 or not pose.recruited[node]:
-            continue
-        back = inverse(given.rotations[before, node])
-        turn = product(given.rotations[frame, node], product(back, rotations[before, node]))
-        turn = unit(turn)
-        for axis in range(4):
-            pose.rotations[node, axis] = turn[axis]
-        if given.translates[node]:
-            for axis in range(3):
-                pose.translations[node, axis] += (
-                    translations[before, node, axis] - given.translations[before, node, axis]
-                )
-    place(
-        given.parents, pose.translations, pose.rotations, pose.positions, pose.orientations
-    )  # fmt: skip
+    levels: int,
+) -> tuple[int, int]:
+    """Iterate until neither the errors nor the posture vary (2003, section 4.1)."""
+    _forget_errors(pose)
+    for spent in range(1, settings.iterations + 1):
+        change = _linearize(given, table, settings, pose, stack, frame, levels)
+        moved = _iterate(given, settings, pose, stack, frame, levels, True, 1.0)
+        if change < settings.error_change and moved < settings.posture_change:
+            return spent, SETTLED
+    return settings.iterations, LIMIT
 
 
 @inlined
-def _converge(
-    given: Input, table: TaskTable, settings: Settings, pose: Pose, stack: Stack, frame: int
-) -> tuple[int, int]:
-    """Iterate until neither errors nor posture vary (2003, section 4.1), then finish.
-
-    The finish leaves the posture alone and lets go of the lowest level, then of the next, so that
-    what the linearization still pushed upwards is made good, the top level last.
-    """
-    levels = table.level[table.level.shape[0] - 1] + 1
-    stop = LIMIT
-    spent = 0
+def _finish(
+    given: Input,
+    table: TaskTable,
+    settings: Settings,
+    pose: Pose,
+    stack: Stack,
+    frame: int,
+    levels: int,
+    most: int,
+) -> int:
+    """Meet the first levels to the last digit, without the posture; return the iterations."""
     _forget_errors(pose)
-    while spent < settings.iterations:
-        spent += 1
+    for spent in range(most + 1):
         change = _linearize(given, table, settings, pose, stack, frame, levels)
-        moved = _iterate(given, settings, pose, stack, frame, levels, True)
-        if change < settings.error_change and moved < settings.posture_change:
-            stop = SETTLED
-            break
-    for top in range(levels, 0, -1):
-        _forget_errors(pose)
-        for _ in range(settings.finish):
-            change = _linearize(given, table, settings, pose, stack, frame, top)
-            if _met(table, pose, top):
-                break
-            spent += 1
-            _iterate(given, settings, pose, stack, frame, top, False)
-            if change < 1e-9:
-                break
-    return spent, stop
+        if change < EXACT or spent == most or _met(table, pose, levels):
+            return spent
+        _iterate(given, settings, pose, stack, frame, levels, False, 1.0)
+    return most
 
 
 @inlined
@@ -243,7 +400,7 @@ def _forget_errors(pose: Pose) -> None:
 @inlined
 def _met(table: TaskTable, pose: Pose, levels: int) -> bool:
     for task in range(table.kind.shape[0]):
-        if table.level[task] < levels and pose.on[task] and pose.errors[task] > 1e-9:
+        if table.level[task] < levels and pose.on[task] and pose.errors[task] > EXACT:
             return False
     return True
 
@@ -268,8 +425,7 @@ def _linearize(
         while level < table.level[task]:
             level += 1
             stack.first_row[level] = row
-        weight = table.weight[frame, task]
-        if not pose.on[task] or weight <= 0.0:
+        if not pose.on[task]:
             continue
         error = task_error(table, frame, task, pose.positions, pose.orientations)
         kept = pose.kept[task]
@@ -285,7 +441,7 @@ def _linearize(
         length = math.sqrt(length)
         change = max(change, abs(length - pose.errors[task]))
         pose.errors[task] = length
-        scale = math.sqrt(weight)
+        scale = math.sqrt(table.weight[frame, task])
         if table.kind[task] == 1:
             scale *= TURN_LENGTH
         near = min(1.0, settings.reach_limit / max(length, 1e-12))
@@ -309,6 +465,7 @@ def _iterate(
     frame: int,
     levels: int,
     posture: bool,
+    scale: float,
 ) -> float:
     """Move the pose by one step of the stack; return the largest turn [rad]."""
     columns = _column_count(given, pose)
@@ -326,7 +483,7 @@ def _iterate(
         if column >= 0:
             v = stack.step[column : column + 3]
             largest = max(largest, math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]))
-    _move(given, pose, stack.step, min(1.0, settings.turn_limit / max(largest, 1e-12)))
+    _move(given, pose, stack.step, min(scale, settings.turn_limit / max(largest, 1e-12)))
     return largest
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from usdmotion.options import option
 from usdmotion.solving import Problem, Solution
-from usdmotion_prioritized_ik.clip import Input, Pose, Settings, solve_clip
+from usdmotion_prioritized_ik.clip import Carried, Input, Pose, Settings, solve_clip
 from usdmotion_prioritized_ik.stack import Stack, make_stack
 
 
@@ -64,6 +64,7 @@ class PrioritizedIK:
                 table,
                 self._settings(),
                 _pose(problem),
+                _carried(problem),
                 _stack(problem),
                 translations,
                 rotations,
@@ -86,6 +87,15 @@ def _stack(problem: Problem) -> Stack:
     return make_stack(rows, _column_count(problem), int(problem.table.level[-1]) + 1)
 
 
+def _carried(problem: Problem) -> Carried:
+    levels, nodes = int(problem.table.level[-1]) + 1, problem.cast.node_count
+    return Carried(
+        valid=np.zeros(levels, dtype=np.bool_),
+        translations=np.zeros((levels, nodes, 3)),
+        rotations=np.zeros((levels, nodes, 4)),
+    )
+
+
 def _pose(problem: Problem) -> Pose:
     nodes, tasks = problem.cast.node_count, len(problem.table.kind)
     columns = _column_count(problem)
@@ -94,6 +104,8 @@ def _pose(problem: Problem) -> Pose:
         rotations=np.zeros((nodes, 4)),
         positions=np.zeros((nodes, 3)),
         orientations=np.zeros((nodes, 4)),
+        saved_translations=np.zeros((nodes, 3)),
+        saved_rotations=np.zeros((nodes, 4)),
         recruited=np.zeros(nodes, dtype=np.bool_),
         columns=np.zeros(nodes, dtype=np.int64),
         on=np.zeros(tasks, dtype=np.bool_),

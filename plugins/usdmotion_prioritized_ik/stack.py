@@ -142,7 +142,7 @@ def _orthogonalize(
 
 @inlined
 def _solve(stack: Stack, first: int, last: int, fresh: int, squared_damping: float) -> None:
-    """min ‖L w − e‖² + λ²‖w‖² by Cholesky, where L are the projected rows in the new basis."""
+    """Solve min ‖L w − e‖² + λ²‖w‖² by Cholesky; L are the projected rows in the new basis."""
     factor, normal, inner = stack.factor, stack.normal, stack.inner
     for i in range(fresh):
         total = 0.0
