@@ -1,0 +1,5 @@
+"""`python -m usdmotion`."""
+
+from usdmotion.cli import main
+
+main()
