@@ -9,7 +9,7 @@ from rich.console import Console
 
 from usdmotion import Constraint, Goal, OrientationConstraint, PositionConstraint, Problem, Solution
 from usdmotion.kernels import from_vector
-from usdmotion.report import ConstraintReport, EditReport, Report, measure
+from usdmotion.report import ConstraintReport, EditReport, Report, judge
 from usdmotion.testing import ARM, arm_scene
 
 TOKEN = "base/shoulder/elbow/wrist"
@@ -35,7 +35,7 @@ def rows_of(*constraints: Constraint) -> tuple[ConstraintReport, ...]:
     problem = Problem.of(scene)
     nothing = np.zeros(6, dtype=np.int64)
     still = Solution(problem.cast.translations, problem.cast.rotations, nothing, nothing)
-    return measure(scene, problem, still)
+    return judge(scene, problem, still)
 
 
 def test_errors_are_metres_or_degrees_in_the_order_of_the_constraints() -> None:

@@ -19,7 +19,7 @@ from usdmotion.motion import Motion
 from usdmotion.options import configured, options
 from usdmotion.plugins import host
 from usdmotion.recording import Recording
-from usdmotion.report import ConstraintReport, EditReport, Report, measure
+from usdmotion.report import ConstraintReport, EditReport, Report, judge
 from usdmotion.resampling import evenly
 from usdmotion.scene import Edit, Scene
 from usdmotion.solving import Problem, Solution, Solver
@@ -158,7 +158,7 @@ def _solve_scene(
     solution = chosen.solve(problem)
     seconds = perf_counter() - started
     _check(chosen, problem, solution)
-    rows = dict(zip(scene.constraints, measure(scene, problem, solution), strict=True))
+    rows = dict(zip(scene.constraints, judge(scene, problem, solution), strict=True))
     frames, iterations = problem.cast.frame_count, int(solution.iterations.sum())
     settings = {each.name: getattr(chosen, each.name) for each in options(type(chosen))}
 

@@ -9,13 +9,9 @@ from rich.text import Text
 
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint
-from usdmotion.kernels import Kind, forward, residuals
+from usdmotion.measuring import measure, tolerance
 from usdmotion.scene import Scene
 from usdmotion.solving import Problem, Solution
-from usdmotion.tasks import Demand
-
-_TOLERANCES = {"m": 1e-3, "deg": 1.0}
-_KINDS = {"m": Kind.POINT, "deg": Kind.ROTATION}
 
 
 @dataclass(frozen=True)
@@ -77,38 +73,28 @@ class Report:
         return [_table(edit) for edit in self.edits]
 
 
-def measure(scene: Scene, problem: Problem, solution: Solution) -> tuple[ConstraintReport, ...]:
+def judge(scene: Scene, problem: Problem, solution: Solution) -> tuple[ConstraintReport, ...]:
     """Return what a solution leaves of every constraint of a scene, in the scene's order."""
-    cast, table = problem.cast, problem.table
-    positions, orientations = forward(cast.parents, solution.translations, solution.rotations)
-    errors = residuals(table, positions, orientations)
-    rows = []
-    for index, (constraint, demand) in enumerate(
-        zip(scene.constraints, scene.demands, strict=True)
-    ):
-        own = (table.constraint == index) & (table.kind == _KINDS[constraint.unit])
-        rows.append(_judged(constraint, demand, errors[:, own], scene.time_codes))
-    return tuple(rows)
+    errors = measure(problem, solution, scene.constraints)
+    return tuple(
+        _judged(constraint, left[demand.plateau], scene.time_codes[demand.plateau])
+        for constraint, demand, left in zip(scene.constraints, scene.demands, errors.T, strict=True)
+    )
 
 
-def _judged(
-    constraint: Constraint, demand: Demand, errors: Floats, time_codes: Floats
-) -> ConstraintReport:
-    """Return the report of one constraint from the errors of its tasks, shape (F, tasks)."""
-    worst = errors.max(axis=1, initial=0.0)[demand.plateau]
-    if constraint.unit == "deg":
-        worst = np.degrees(worst)
-    tolerance = constraint.tolerance or _TOLERANCES[constraint.unit]
-    judged = bool(len(worst))
+def _judged(constraint: Constraint, errors: Floats, time_codes: Floats) -> ConstraintReport:
+    """Return the report of one constraint from its errors on the plateau and their times."""
+    largest = float(errors.max(initial=0.0))
+    judged = len(errors) > 0
     return ConstraintReport(
         path=constraint.path,
         type=constraint.schema,
         priority=constraint.priority,
-        max=float(worst.max(initial=0.0)),
-        rms=float(np.sqrt(np.mean(worst**2))) if judged else 0.0,
+        max=largest,
+        rms=float(np.sqrt(np.mean(errors**2))) if judged else 0.0,
         unit=constraint.unit,
-        worst_time=float(time_codes[demand.plateau][worst.argmax()]) if judged else None,
-        met=bool(worst.max(initial=0.0) <= tolerance),
+        worst_time=float(time_codes[errors.argmax()]) if judged else None,
+        met=largest <= tolerance(constraint),
     )
 
 
