@@ -9,8 +9,20 @@ from usdmotion.usd.registration import register
 register(host().schemas)
 
 from usdmotion.usd.authoring import author, author_edit  # noqa: E402
+from usdmotion.usd.character_authoring import author_character  # noqa: E402
 from usdmotion.usd.reading import read  # noqa: E402
+from usdmotion.usd.recordings import write_recording  # noqa: E402
 from usdmotion.usd.shot import Result, Shot  # noqa: E402
 from usdmotion.usd.writing import compose, write  # noqa: E402
 
-__all__ = ["Result", "Shot", "author", "author_edit", "compose", "read", "write"]
+__all__ = [
+    "Result",
+    "Shot",
+    "author",
+    "author_character",
+    "author_edit",
+    "compose",
+    "read",
+    "write",
+    "write_recording",
+]

@@ -89,23 +89,42 @@ def apply_schema(prim: Sdf.PrimSpec, name: str) -> None:
 
 def set_value(prim: Sdf.PrimSpec, name: str, kind: Sdf.ValueTypeName, value: object) -> None:
     """Give a prim a uniform attribute."""
-    attribute = Sdf.AttributeSpec(prim, name, kind, Sdf.VariabilityUniform)
+    attribute = _attribute(prim, name, kind, Sdf.VariabilityUniform)
     attribute.default = value
 
 
-def write_animation(prim: Sdf.PrimSpec, joints: Sequence[str], samples: Samples) -> None:
-    """Give a prim spec the arrays of a SkelAnimation."""
+def write_animation(
+    prim: Sdf.PrimSpec, joints: Sequence[str], samples: Samples, still: Sequence[str] = ()
+) -> None:
+    """Make a prim spec a SkelAnimation.
+
+    Args:
+        prim: The spec.
+        joints: Its joint tokens.
+        samples: Its arrays.
+        still: Names of arrays of which the first sample is written as the value at all times.
+    """
     prim.specifier = Sdf.SpecifierDef
     prim.typeName = "SkelAnimation"
     set_value(prim, "joints", Sdf.ValueTypeNames.TokenArray, Vt.TokenArray(list(joints)))
     arrays = (
-        ("translations", Sdf.ValueTypeNames.Float3Array, Vt.Vec3fArray, samples.translations),
-        ("rotations", Sdf.ValueTypeNames.QuatfArray, Vt.QuatfArray, samples.rotations),
-        ("scales", Sdf.ValueTypeNames.Half3Array, Vt.Vec3hArray, samples.scales),
+        ("translations", Sdf.ValueTypeNames.Float3Array, Vt.Vec3fArray),
+        ("rotations", Sdf.ValueTypeNames.QuatfArray, Vt.QuatfArray),
+        ("scales", Sdf.ValueTypeNames.Half3Array, Vt.Vec3hArray),
     )
     codes = samples.time_codes.tolist()
-    for name, kind, array, values in arrays:
-        path = Sdf.AttributeSpec(prim, name, kind).path
-        set_sample, pack = prim.layer.SetTimeSample, array.FromNumpy
+    for name, kind, array in arrays:
+        values, pack = getattr(samples, name), array.FromNumpy
+        attribute = _attribute(prim, name, kind, Sdf.VariabilityVarying)
+        if name in still:
+            attribute.default = pack(values[0])
+            continue
+        path, set_sample = attribute.path, prim.layer.SetTimeSample
         for code, value in zip(codes, values, strict=True):
             set_sample(path, code, pack(value))
+
+
+def _attribute(
+    prim: Sdf.PrimSpec, name: str, kind: Sdf.ValueTypeName, variability: Sdf.Variability
+) -> Sdf.AttributeSpec:
+    return prim.attributes.get(name) or Sdf.AttributeSpec(prim, name, kind, variability)

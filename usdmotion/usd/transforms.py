@@ -8,6 +8,7 @@ from pxr import Usd, UsdGeom
 
 from usdmotion.arrays import Floats
 from usdmotion.errors import SceneError
+from usdmotion.kernels import rotate
 
 _SKEW = 1e-5
 """Largest cosine between two axes, and relative difference of two scales, taken for rounding."""
@@ -37,6 +38,16 @@ def rigid(matrices: Floats, name: str) -> tuple[Floats, Floats, Floats]:
     if np.linalg.det(axes).min(initial=1.0) < 0.0:
         raise SceneError(f"{name} is mirrored by a negative scale; make that scale positive")
     return matrices[:, 3, :3].copy(), _quaternions(axes.transpose(0, 2, 1)), scales
+
+
+def matrices_of(translations: Floats, rotations: Floats) -> Floats:
+    """Return the matrices (…, 4, 4) of rigid transforms (…, 3), (…, 4)."""
+    matrices = np.zeros((*translations.shape[:-1], 4, 4))
+    for axis in range(3):
+        matrices[..., axis, :3] = rotate(rotations, np.eye(3)[axis])
+    matrices[..., 3, :3] = translations
+    matrices[..., 3, 3] = 1.0
+    return matrices
 
 
 def even(scales: Floats) -> bool:
