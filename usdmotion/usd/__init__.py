@@ -10,18 +10,21 @@ register(host().schemas)
 
 from usdmotion.usd.authoring import author, author_edit  # noqa: E402
 from usdmotion.usd.character_authoring import author_character  # noqa: E402
+from usdmotion.usd.inspection import Inspection, inspect  # noqa: E402
 from usdmotion.usd.reading import read  # noqa: E402
 from usdmotion.usd.recordings import write_recording  # noqa: E402
 from usdmotion.usd.shot import Result, Shot  # noqa: E402
 from usdmotion.usd.writing import compose, write  # noqa: E402
 
 __all__ = [
+    "Inspection",
     "Result",
     "Shot",
     "author",
     "author_character",
     "author_edit",
     "compose",
+    "inspect",
     "read",
     "write",
     "write_recording",

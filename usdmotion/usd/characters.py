@@ -20,7 +20,7 @@ from usdmotion.usd.scaling import (
     spread,
 )
 from usdmotion.usd.shot import Facts, Rest, Samples
-from usdmotion.usd.skeletons import Joints, read_body, read_joints, root_of
+from usdmotion.usd.skeletons import Joints, pelvis_of, read_body, read_joints
 
 _UNIT = 1e-3
 """How far the square of a quaternion may be from one before it is no rotation any more."""
@@ -78,7 +78,7 @@ def read_character(
         placement=Placement(
             np.broadcast_to(placed, (frames, 3)), np.broadcast_to(turned, (frames, 4))
         ),
-        root=root_of(skeleton, joints, _travels(own, columns)),
+        root=root_joint(skeleton, joints, own, columns),
     )
     return Sitting(character, joints, clip, columns, own, solved, scaling)
 
@@ -92,11 +92,11 @@ def _motion(
     name: str,
 ) -> Motion:
     codes = solved.time_codes
-    translations = spread(solved.translations, columns, rest and rest.translations)
+    translations = spread(solved.translations, columns, rest.translations if rest else None)
     translations *= scaling.of_parents[..., None]
     if not np.isfinite(translations.sum()):
         raise SceneError(f"{name} has a translation that is not a number; author it again")
-    rotations = spread(solved.rotations, columns, rest and rest.rotations)
+    rotations = spread(solved.rotations, columns, rest.rotations if rest else None)
     _normalize(rotations, name)
     return Motion((codes - codes[0]) / facts.time_codes_per_second, translations, rotations)
 
@@ -125,6 +125,32 @@ def _skeleton(joints: Joints, of_space: Floats, motion: Motion) -> Skeleton:
         units = scaling_of(joints, of_space, joints.rest.scales[None]).of_parents[0]
         rest = joints.rest.translations * units[:, None], joints.rest.rotations
     return Skeleton(joints.tokens, joints.parents, *rest)
+
+
+def root_joint(skeleton: Usd.Prim, joints: Joints, own: Samples, columns: Ints) -> int:
+    """Return the joint with six degrees of freedom.
+
+    It is the pelvis where the skeleton names one, else the topmost joint that travels and carries
+    at least half of all joints (a knee that stretches does not), else the top joint.
+
+    Args:
+        skeleton: The Skeleton prim.
+        joints: Its joints.
+        own: The animation at its own times.
+        columns: Which joint of the animation each joint is, -1 for none.
+    """
+    pelvis = pelvis_of(skeleton)
+    if pelvis is not None:
+        return pelvis
+    carried = np.ones(len(joints.tokens))
+    for joint in range(len(carried) - 1, -1, -1):
+        if joints.parents[joint] >= 0:
+            carried[joints.parents[joint]] += carried[joint]
+    depths = np.zeros(len(carried))
+    for joint, parent in enumerate(joints.parents):
+        depths[joint] = depths[parent] + 1 if parent >= 0 else 0
+    fit = _travels(own, columns) & (2 * carried >= len(carried))
+    return int(np.argmin(np.where(fit, depths, depths + len(depths))))
 
 
 def _travels(own: Samples, columns: Ints) -> Bools:

@@ -22,6 +22,8 @@ from usdmotion.usd.shot import Facts
 from usdmotion.usd.stages import refuse
 from usdmotion.usd.times import solved_times
 
+DEFAULT_SOLVER = "prioritized_ik"
+"""What solves an edit that names no solver."""
 _OPTION = "usdmotion:option:"
 _COSTLY = ("Animation", "Recruiting")
 """Checks that read whole animations: reading does that itself, and breaking the rule is allowed."""
@@ -146,7 +148,11 @@ def source_of(edit: Usd.Prim, skeleton: Usd.Prim) -> Usd.Prim:
                 "what; name the motion to start from in usdmotion:source"
             )
         source = behind
-    assert source is not None, "an edit of a skeleton that nothing moves is refused before"
+    if source is None:
+        raise SceneError(
+            f"<{edit.GetPath()}> has no motion to start from; bind a SkelAnimation to "
+            f"<{skeleton.GetPath()}>, or name one in usdmotion:source"
+        )
     return source
 
 

@@ -15,6 +15,7 @@ from usdmotion.usd.characters import Sitting, read_character
 from usdmotion.usd.clips import merged
 from usdmotion.usd.constraints import read_constraints, skeletons_of_goals
 from usdmotion.usd.edits import (
+    DEFAULT_SOLVER,
     Request,
     animation_to_bind,
     find_edits,
@@ -29,7 +30,6 @@ from usdmotion.usd.sources import read_extras
 from usdmotion.usd.stages import composition_faults, open_stage, read_facts, refuse, used_files
 
 _UP = {"Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
-_SOLVER = "prioritized_ik"
 
 
 def read(
@@ -129,7 +129,7 @@ def _edit(
         path=each.path,
         skeleton=skeleton,
         constraints=read_constraints(each.edit, skeleton, kinds, sittings, time_codes, facts),
-        solver=str(value(each.edit, "usdmotion:solver", "")) or _SOLVER,
+        solver=str(value(each.edit, "usdmotion:solver", "")) or DEFAULT_SOLVER,
         options=options_of(each.edit),
     )
 

@@ -100,7 +100,7 @@ def joint_scales(
     """
     bits = samples.scales.view(np.uint16)  # halves are slow to compare
     values = samples.scales[: 1 if (bits == bits[:1]).all() else None]
-    scales = spread(values, columns, rest and rest.scales)
+    scales = spread(values, columns, rest.scales if rest else None)
     for joint in np.unique(joints.parents[joints.parents >= 0]):
         own = scales[:, joint]
         if not even(own):

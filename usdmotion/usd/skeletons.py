@@ -54,22 +54,10 @@ def _rest_fault(prim: Usd.Prim, tokens: tuple[str, ...], matrices: Floats) -> st
     raise AssertionError("one of the joints has a rest pose that is not rigid")
 
 
-def root_of(prim: Usd.Prim, joints: Joints, travels: np.ndarray) -> int:
-    """Return the joint with six degrees of freedom: the pelvis, else the topmost that travels.
-
-    Args:
-        prim: The Skeleton.
-        joints: Its joints.
-        travels: Whether the translation of each joint changes over time.
-    """
+def pelvis_of(prim: Usd.Prim) -> int | None:
+    """Return the joint that a Skeleton says is the pelvis, None where it does not say."""
     parts = [str(part) for part in value(prim, "usdmotion:parts", ())]
-    for part in ROOT_PARTS:
-        if part in parts:
-            return parts.index(part)
-    depths = np.zeros(len(joints.tokens), dtype=np.int64)
-    for joint, parent in enumerate(joints.parents):
-        depths[joint] = depths[parent] + 1 if parent >= 0 else 0
-    return int(np.argmin(np.where(travels, depths, depths + len(depths))))
+    return next((parts.index(part) for part in ROOT_PARTS if part in parts), None)
 
 
 def read_body(prim: Usd.Prim, joints: Joints, units: Floats) -> Body:

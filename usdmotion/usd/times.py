@@ -55,4 +55,6 @@ def _even(first: float, last: float, step: float) -> Floats:
     count = int((last - first) / step + SLACK) + 1
     times = first + step * np.arange(count)
     # What is solved ends where it was asked to end, be the last interval a shorter one.
-    return times if last - times[-1] <= SLACK else np.append(times, last)
+    if last - times[-1] > SLACK:
+        times = np.append(times, last)
+    return np.asarray(times, dtype=np.float64)
