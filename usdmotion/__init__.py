@@ -8,6 +8,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from usdmotion.arrays import Bools, Floats, Ints
     from usdmotion.cast import Cast, Character, Joint
     from usdmotion.constraints import (
         Constraint,
@@ -39,14 +40,17 @@ if TYPE_CHECKING:
 __all__ = [
     "Axes",
     "Body",
+    "Bools",
     "Cast",
     "Character",
     "Constraint",
     "Demand",
     "Edit",
     "FileError",
+    "Floats",
     "Goal",
     "InputError",
+    "Ints",
     "Joint",
     "Motion",
     "OptionError",
@@ -82,6 +86,7 @@ __all__ = [
 
 _ROOMS = (
     "errors",
+    "arrays",
     "options",
     "motion",
     "recording",

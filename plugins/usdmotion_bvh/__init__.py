@@ -1,7 +1,6 @@
 """Reads BVH files of any maker into recordings."""
 
-from usdmotion.hookspecs import hookimpl
-from usdmotion.recording import Reader
+from usdmotion import Reader, hookimpl
 from usdmotion_bvh.reader import BvhReader
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from usdmotion.arrays import Floats
+from usdmotion import Floats
 from usdmotion.kernels import forward, world_points
 from usdmotion_bvh.hierarchy import Hierarchy
 from usdmotion_bvh.poses import Poses

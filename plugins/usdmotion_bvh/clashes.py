@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from usdmotion.arrays import Floats
+from usdmotion import Floats
 
 _FACTORS = np.geomspace(1.0 / 128.0, 128.0, 281)
 _MOST_FRAMES = 2000

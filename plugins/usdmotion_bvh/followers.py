@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from usdmotion.arrays import Bools, Floats
+from usdmotion import Bools, Floats
 from usdmotion.kernels import forward
 from usdmotion_bvh.hierarchy import Hierarchy
 from usdmotion_bvh.poses import Poses

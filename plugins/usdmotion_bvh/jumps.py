@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from usdmotion.arrays import Floats
+from usdmotion import Floats
 
 _FAR = 0.05
 """Parts of the height that joints move in one frame on average, which only a jump does."""

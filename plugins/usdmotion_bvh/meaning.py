@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdmotion.arrays import Floats
+from usdmotion import Floats
 from usdmotion_bvh.bodies import body_height, world_positions
 from usdmotion_bvh.clashes import path_factor
 from usdmotion_bvh.followers import decide_followers, following, leading

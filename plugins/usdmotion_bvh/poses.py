@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdmotion.arrays import Bools, Floats, Ints
+from usdmotion import Bools, Floats, Ints
 from usdmotion_bvh.hierarchy import Hierarchy
 
 _Turns = defaultdict[tuple[int, ...], list[tuple[int, list[int]]]]

@@ -6,9 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from usdmotion.motion import Motion, Skeleton
-from usdmotion.options import option
-from usdmotion.recording import Recording
+from usdmotion import Motion, Recording, Skeleton, option
 from usdmotion_bvh.hierarchy import Joint
 from usdmotion_bvh.meaning import Wishes, decide_meaning
 from usdmotion_bvh.names import joint_tokens, valid_name

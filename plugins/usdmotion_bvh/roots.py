@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from usdmotion.arrays import Bools, Floats
+from usdmotion import Bools, Floats
 from usdmotion_bvh.bodies import world_positions
 from usdmotion_bvh.followers import following, leading
 from usdmotion_bvh.hierarchy import Hierarchy

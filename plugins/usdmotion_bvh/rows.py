@@ -7,8 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from usdmotion.arrays import Floats
-from usdmotion.errors import FileError
+from usdmotion import FileError, Floats
 from usdmotion_bvh.source import LARGEST_NUMBER, Source
 
 _FRAMES = re.compile(r"\s*frames\s*:?(.*)", re.IGNORECASE)

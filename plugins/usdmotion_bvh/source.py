@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from usdmotion.errors import FileError
+from usdmotion import FileError
 
 LARGEST_NUMBER = 1e9
 """No captured number is larger; what is, was not meant as one."""

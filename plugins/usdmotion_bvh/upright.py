@@ -5,7 +5,7 @@ from typing import Literal
 
 import numpy as np
 
-from usdmotion.arrays import Floats
+from usdmotion import Floats
 from usdmotion_bvh.bodies import world_positions
 from usdmotion_bvh.hierarchy import Hierarchy
 from usdmotion_bvh.poses import Poses
