@@ -35,6 +35,24 @@ Options = Annotated[
     typer.Option("--option", metavar="NAME=VALUE", help="Set an option; may be repeated."),
 ]
 
+Edits = Annotated[
+    list[str] | None,
+    typer.Option("--edit", metavar="PATH", help="Solve this edit; may be repeated."),
+]
+Frames = Annotated[
+    str | None, typer.Option(metavar="A:B", help="First and last time code, inclusive.")
+]
+Composed = Annotated[
+    Path | None, typer.Option(metavar="FILE", help="Write a stage that shows the answer.")
+]
+MendRecruiting = Annotated[
+    bool,
+    typer.Option("--mend-recruiting", help="Let constraints recruit what lower ranks move."),
+]
+Strict = Annotated[
+    bool, typer.Option("--strict", help="End with status 3 where a constraint is not met.")
+]
+
 
 def main() -> None:
     """Run the command line; the exit status is 0 done, 1 a bug, 2 the input is at fault.
@@ -105,27 +123,14 @@ def inspect(shot: Source, json: Json = None, quiet: Quiet = False) -> None:
 def solve(
     shot: Source,
     output: Output = None,
-    edit: Annotated[
-        list[str] | None, typer.Option(metavar="PATH", help="Solve this edit; may be repeated.")
-    ] = None,
+    edit: Edits = None,
     solver: Annotated[str | None, typer.Option(help="Name of the solver.")] = None,
     option: Options = None,
-    frames: Annotated[
-        str | None, typer.Option(metavar="A:B", help="First and last time code, inclusive.")
-    ] = None,
-    compose: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write a stage that shows the answer.")
-    ] = None,
-    mend_recruiting: Annotated[
-        bool,
-        typer.Option(
-            "--mend-recruiting", help="Let constraints recruit what the ranks below them move."
-        ),
-    ] = False,
+    frames: Frames = None,
+    compose: Composed = None,
+    mend_recruiting: MendRecruiting = False,
     json: Json = None,
-    strict: Annotated[
-        bool, typer.Option("--strict", help="End with status 3 where a constraint is not met.")
-    ] = False,
+    strict: Strict = False,
     quiet: Quiet = False,
 ) -> None:
     """Solve the edits of a stage and write the layer that puts the answer over it."""

@@ -15,6 +15,9 @@ from rich.text import Text
 
 from usdmotion.errors import FileError
 
+_LISTED = 4
+"""How much of a long list a table shows; JSON has all of it."""
+
 
 @dataclasses.dataclass(frozen=True)
 class Terminal:
@@ -109,6 +112,7 @@ def _cell(value: object) -> str:
         return "yes" if value else "no"
     if isinstance(value, float):
         return f"{value:g}"
-    if isinstance(value, (tuple, list)):
-        return ", ".join(_cell(each) for each in value)
+    if isinstance(value, tuple):
+        told = [_cell(each) for each in value[:_LISTED]]
+        return ", ".join(told) + (f", … ({len(value)})" if len(value) > _LISTED else "")
     return str(value)

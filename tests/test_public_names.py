@@ -1,0 +1,59 @@
+"""The public names, once; and that they are cheap and need no USD."""
+
+import subprocess
+import sys
+
+import pytest
+
+import usdmotion
+import usdmotion.kernels
+import usdmotion.testing
+
+NAMES = """
+Axes Body Bools Cast Character Constraint Demand Edit FileError Floats Goal InputError Ints Joint
+Motion OptionError OrientationConstraint Placement PluginError PointTask PositionConstraint Problem
+Reader Recording RotationTask Scene SceneError Skeleton Solution Solver Term TurnGoal
+UsdMotionError attribute composite_point composite_turn configured ease hookimpl host import_motion
+inspect option solve
+""".split()
+
+
+def test_the_public_names_are_these() -> None:
+    assert usdmotion.__all__ == NAMES
+    assert dir(usdmotion) == sorted(NAMES)
+
+
+@pytest.mark.parametrize("module", [usdmotion, usdmotion.kernels, usdmotion.testing])
+def test_every_public_name_is_there(module: object) -> None:
+    names = module.__all__  # type: ignore[attr-defined]
+    assert sorted(names) == sorted(set(names))
+    for name in names:
+        assert getattr(module, name) is not None
+
+
+def test_a_name_that_is_not_public_is_no_attribute() -> None:
+    with pytest.raises(AttributeError, match="module 'usdmotion' has no attribute 'seal'"):
+        usdmotion.seal  # noqa: B018
+
+
+def modules_after(statement: str) -> set[str]:
+    script = f"import sys; {statement}; print(*sys.modules)"
+    said = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=True
+    )
+    return set(said.stdout.split())
+
+
+def test_importing_the_package_imports_nothing_that_is_slow() -> None:
+    assert not {"numpy", "numba", "scipy", "pxr"} & modules_after("import usdmotion")
+
+
+def test_the_help_of_the_command_line_imports_nothing_that_is_slow() -> None:
+    loaded = modules_after("import usdmotion.cli")
+    assert not {"numpy", "numba", "scipy", "pxr"} & loaded
+
+
+def test_no_public_name_needs_usd() -> None:
+    loaded = modules_after("from usdmotion import *; import usdmotion.testing")
+    assert "numba" in loaded
+    assert "pxr" not in loaded
