@@ -240,6 +240,12 @@ def test_an_unknown_name_is_answered_with_those_that_are_there(make: Make) -> No
         found.reader("disc")
 
 
+def test_an_unknown_name_is_answered_with_what_was_set_aside_too(make: Make) -> None:
+    found = gather([make("good", GOOD), make("crashing", "1 / 0")])
+    with pytest.raises(OptionError, match=r"are: still \(.* are set aside: crashing\)"):
+        found.solver("mine")
+
+
 def test_a_reader_is_found_by_the_ending_of_a_file(make: Make) -> None:
     found = gather([make("good", GOOD)])
     assert found.reader_of(Path("A.TAPE")).name == "tape"

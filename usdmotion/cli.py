@@ -114,7 +114,7 @@ def inspect(shot: Source, json: Json = None, quiet: Quiet = False) -> None:
     found = pipeline.inspect(shot)
     if json is not None:
         write_text(to_json(found), json)
-    terminal.tell(*tables(found))
+    terminal.tell(*tables(found), *([] if found.faults else ["no faults found"]))
 
 
 @app.command(

@@ -88,7 +88,7 @@ class Host:
         Raises:
             OptionError: There is none; the sentence lists those that are there.
         """
-        return _named(self.solvers, name, "solver")
+        return self._named(self.solvers, name, "solver")
 
     def reader(self, name: str) -> type[Reader]:
         """Return the reader class of a name.
@@ -96,7 +96,7 @@ class Host:
         Raises:
             OptionError: There is none; the sentence lists those that are there.
         """
-        return _named(self.readers, name, "reader")
+        return self._named(self.readers, name, "reader")
 
     def reader_of(self, path: Path) -> type[Reader]:
         """Return the reader class for a file, by the ending of its name.
@@ -109,6 +109,15 @@ class Host:
                 return reader
         known = ", ".join(suffix for reader in self.readers.values() for suffix in reader.suffixes)
         raise InputError(f"{path}: no reader for such files; there are readers for: {known}")
+
+    def _named(self, known: Mapping[str, _Kind], name: str, kind: str) -> _Kind:
+        if name in known:
+            return known[name]
+        broken = ", ".join(plugin.name for plugin in self.plugins if plugin.fault)
+        raise OptionError(
+            f"there is no {kind} '{name}'; there are: {', '.join(known) or 'none'}"
+            + (f" ('usdmotion plugins' says why these are set aside: {broken})" if broken else "")
+        )
 
 
 @cache
@@ -190,10 +199,3 @@ def _package(entry: EntryPoint) -> str:
 
 def _ours(entry: EntryPoint) -> bool:
     return entry.dist is not None and entry.dist.name == "usdmotion"
-
-
-def _named(known: Mapping[str, _Kind], name: str, kind: str) -> _Kind:
-    if name not in known:
-        names = ", ".join(known) or "none"
-        raise OptionError(f"there is no {kind} '{name}'; there are: {names}")
-    return known[name]
