@@ -98,6 +98,8 @@ def _motion(
         raise SceneError(f"{name} has a translation that is not a number; author it again")
     rotations = spread(solved.rotations, columns, rest.rotations if rest else None)
     _normalize(rotations, name)
+    for array in (translations, rotations):
+        array.flags.writeable = False  # nobody else has it, so it need not be copied
     return Motion((codes - codes[0]) / facts.time_codes_per_second, translations, rotations)
 
 
