@@ -5,10 +5,12 @@ from typing import ClassVar
 
 import numpy as np
 
+from usdmotion.arrays import Bools
 from usdmotion.options import option
 from usdmotion.solving import Problem, Solution
-from usdmotion_prioritized_ik.clip import Carried, Input, Pose, Settings, solve_clip
-from usdmotion_prioritized_ik.stack import Stack, make_stack
+from usdmotion_prioritized_ik.clip import solve_clip
+from usdmotion_prioritized_ik.stack import make_stack
+from usdmotion_prioritized_ik.state import Asked, Carried, Input, Pose, Saved, Settings, Work
 
 
 @dataclass(frozen=True)
@@ -47,71 +49,52 @@ class PrioritizedIK:
 
     def solve(self, problem: Problem) -> Solution:
         """Return the motion that meets the tasks in rank order."""
-        cast, table = problem.cast, problem.table
-        translations = np.array(cast.translations)
-        rotations = np.array(cast.rotations)
+        cast = problem.cast
+        translations, rotations = np.array(cast.translations), np.array(cast.rotations)
         iterations = np.zeros(cast.frame_count, dtype=np.int64)
         stops = np.zeros(cast.frame_count, dtype=np.int64)
-        if len(table.kind) and problem.recruited.any():
-            solve_clip(
-                Input(
-                    cast.parents,
-                    cast.translates,
-                    1.0 - cast.stiffness,
-                    cast.translations,
-                    cast.rotations,
-                ),
-                table,
-                self._settings(),
-                _pose(problem),
-                _carried(problem),
-                _stack(problem),
-                translations,
-                rotations,
-                iterations,
-                stops,
-            )
+        if problem.recruited.any():
+            settings = Settings(*(getattr(self, name) for name in Settings._fields))
+            solve_clip(_work(problem, settings), translations, rotations, iterations, stops)
         return Solution(translations, rotations, iterations, stops)
 
-    def _settings(self) -> Settings:
-        return Settings(**{name: getattr(self, name) for name in Settings._fields})
 
+def _work(problem: Problem, settings: Settings) -> Work:
+    """Return a solve's input, and room for all that it needs on the way."""
+    cast, table, recruited = problem.cast, problem.table, problem.recruited
+    nodes, tasks, levels = cast.node_count, len(table.kind), int(table.level[-1]) + 1
+    columns = int(3 * recruited.sum() + 3 * (recruited & cast.translates).sum())
 
-def _column_count(problem: Problem) -> int:
-    recruited = problem.recruited
-    return int(3 * recruited.sum() + 3 * (recruited & problem.cast.translates).sum())
+    def flags(*shape: int) -> Bools:
+        return np.zeros(shape, dtype=np.bool_)
 
-
-def _stack(problem: Problem) -> Stack:
-    rows = 3 * len(problem.table.kind) + 3
-    return make_stack(rows, _column_count(problem), int(problem.table.level[-1]) + 1)
-
-
-def _carried(problem: Problem) -> Carried:
-    levels, nodes = int(problem.table.level[-1]) + 1, problem.cast.node_count
-    return Carried(
-        valid=np.zeros(levels, dtype=np.bool_),
-        translations=np.zeros((levels, nodes, 3)),
-        rotations=np.zeros((levels, nodes, 4)),
-    )
-
-
-def _pose(problem: Problem) -> Pose:
-    nodes, tasks = problem.cast.node_count, len(problem.table.kind)
-    columns = _column_count(problem)
-    return Pose(
-        translations=np.zeros((nodes, 3)),
-        rotations=np.zeros((nodes, 4)),
-        positions=np.zeros((nodes, 3)),
-        orientations=np.zeros((nodes, 4)),
-        saved_translations=np.zeros((nodes, 3)),
-        saved_rotations=np.zeros((nodes, 4)),
-        recruited=np.zeros(nodes, dtype=np.bool_),
-        columns=np.zeros(nodes, dtype=np.int64),
-        on=np.zeros(tasks, dtype=np.bool_),
-        kept=np.zeros((tasks, 3)),
-        errors=np.zeros(tasks),
-        posture=np.zeros(columns),
-        block=np.zeros((3, columns)),
-        row_errors=np.zeros(3),
+    return Work(
+        Input(
+            cast.parents,
+            cast.translates,
+            1.0 - cast.stiffness,
+            cast.translations,
+            cast.rotations,
+        ),
+        table,
+        settings,
+        Pose(
+            translations=np.zeros((nodes, 3)),
+            rotations=np.zeros((nodes, 4)),
+            positions=np.zeros((nodes, 3)),
+            orientations=np.zeros((nodes, 4)),
+            recruited=flags(nodes),
+            columns=np.zeros(nodes, dtype=np.int64),
+            preserving=np.zeros(columns),
+        ),
+        Saved(np.zeros((nodes, 3)), np.zeros((nodes, 4))),
+        Carried(flags(levels), np.zeros((levels, nodes, 3)), np.zeros((levels, nodes, 4))),
+        Asked(
+            on=flags(tasks),
+            kept=np.zeros((tasks, 3)),
+            errors=np.zeros(tasks),
+            row_errors=np.zeros(3),
+            block=np.zeros((3, columns)),
+        ),
+        make_stack(3 * tasks, columns, levels),
     )

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from usdmotion.arrays import Floats, Ints
-from usdmotion.kernels import inlined
+from usdmotion.kernels import inlined, shared, summing
 
 
 class Stack(NamedTuple):
@@ -79,17 +79,17 @@ def descend(
         fresh = _orthogonalize(stack, first, last, used, columns, rank)
         _solve(stack, first, last, fresh, damping * damping + curvature * math.sqrt(square))
         for index in range(fresh):
-            _add(stack.step, stack.basis[used + index], stack.inner[index], columns)
+            add_row(stack.step, stack.basis, used + index, stack.inner[index], columns)
         used += fresh
     return used
 
 
-@inlined
+@shared
 def remove_spanned(stack: Stack, used: int, vector: Floats, columns: int) -> None:
     """Take from a vector all that would disturb the levels: v ← N v."""
     for index in range(used):
-        along = _dot(stack.basis[index], vector, columns)
-        _add(vector, stack.basis[index], -along, columns)
+        along = row_product(stack.basis, index, vector, columns)
+        add_row(vector, stack.basis, index, -along, columns)
 
 
 @inlined
@@ -97,12 +97,13 @@ def _subtract_done(stack: Stack, first: int, last: int, used: int, columns: int)
     """e_i − J_i Δ_{i−1} and J_i N_{i−1}, in place; return the squared error."""
     square = 0.0
     for row in range(first, last):
-        line = stack.rows[row]
         if used > 0:
-            stack.errors[row] -= _dot(line, stack.step, columns)
-            remove_spanned(stack, used, line, columns)
+            stack.errors[row] -= row_product(stack.rows, row, stack.step, columns)
+        for index in range(used):
+            along = rows_product(stack.rows, row, stack.basis, index, columns)
+            add_between(stack.rows, row, stack.basis, index, -along, columns)
         square += stack.errors[row] * stack.errors[row]
-        stack.norms[row] = _dot(line, line, columns)
+        stack.norms[row] = rows_product(stack.rows, row, stack.rows, row, columns)
     return square
 
 
@@ -120,20 +121,19 @@ def _orthogonalize(
         for row in range(first + 1, last):
             if stack.norms[row] > stack.norms[longest]:
                 longest = row
-        line = stack.rows[longest]
-        length = math.sqrt(_dot(line, line, columns))
+        length = math.sqrt(rows_product(stack.rows, longest, stack.rows, longest, columns))
         if length <= rank:
             break
-        direction = stack.basis[used + fresh]
+        new = used + fresh
         for column in range(columns):
-            direction[column] = line[column] / length
+            stack.basis[new, column] = stack.rows[longest, column] / length
         stack.factor[longest - first, fresh] = length
         stack.norms[longest] = -1.0
         for row in range(first, last):
             if stack.norms[row] < 0.0:
                 continue
-            along = _dot(stack.rows[row], direction, columns)
-            _add(stack.rows[row], direction, -along, columns)
+            along = rows_product(stack.rows, row, stack.basis, new, columns)
+            add_between(stack.rows, row, stack.basis, new, -along, columns)
             stack.factor[row - first, fresh] = along
             stack.norms[row] = max(stack.norms[row] - along * along, 0.0)
         fresh += 1
@@ -165,15 +165,33 @@ def _solve(stack: Stack, first: int, last: int, fresh: int, squared_damping: flo
         inner[i] /= normal[i, i]
 
 
-@inlined
-def _dot(a: Floats, b: Floats, count: int) -> float:
+@summing
+def row_product(matrix: Floats, row: int, vector: Floats, count: int) -> float:
+    """(R, C), (C,) to the product of a row and a vector."""
     total = 0.0
     for index in range(count):
-        total += a[index] * b[index]
+        total += matrix[row, index] * vector[index]
     return total
 
 
-@inlined
-def _add(a: Floats, b: Floats, factor: float, count: int) -> None:
+@summing
+def rows_product(a: Floats, row_a: int, b: Floats, row_b: int, count: int) -> float:
+    """(R, C), (S, C) to the product of a row of each."""
+    total = 0.0
     for index in range(count):
-        a[index] += factor * b[index]
+        total += a[row_a, index] * b[row_b, index]
+    return total
+
+
+@shared
+def add_row(vector: Floats, matrix: Floats, row: int, factor: float, count: int) -> None:
+    """(C,), (R, C): add a multiple of a row to a vector."""
+    for index in range(count):
+        vector[index] += factor * matrix[row, index]
+
+
+@shared
+def add_between(a: Floats, row_a: int, b: Floats, row_b: int, factor: float, count: int) -> None:
+    """(R, C), (S, C): add a multiple of a row of the second to a row of the first."""
+    for index in range(count):
+        a[row_a, index] += factor * b[row_b, index]

@@ -1,9 +1,9 @@
 """Numba kernels: arrays in, arrays out; metres, radians, quaternions xyzw.
 
-`kernel` marks what Python calls, `inlined` what only kernels call.
+`kernel` marks what Python calls; `inlined`, `shared` and `summing` what only kernels call.
 """
 
-from usdmotion.kernels.compiling import inlined, kernel
+from usdmotion.kernels.compiling import inlined, kernel, shared, summing
 from usdmotion.kernels.jacobians import number_columns, task_rows
 from usdmotion.kernels.kinematics import forward, place, relative, world_points
 from usdmotion.kernels.residuals import residuals, task_error
@@ -35,7 +35,9 @@ __all__ = [
     "relative",
     "residuals",
     "rotate",
+    "shared",
     "slerp",
+    "summing",
     "task_error",
     "task_rows",
     "to_vector",

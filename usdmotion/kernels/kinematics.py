@@ -3,8 +3,8 @@
 import numpy as np
 
 from usdmotion.arrays import Floats, Ints
-from usdmotion.kernels.compiling import inlined, kernel
-from usdmotion.kernels.quaternions import product, turned, unit
+from usdmotion.kernels.compiling import kernel, shared
+from usdmotion.kernels.quaternions import product, quaternion_at, turned, unit, vector_at
 from usdmotion.kernels.rotations import conjugate, multiply, rotate
 
 
@@ -48,7 +48,7 @@ def _forward(
         )
 
 
-@inlined
+@shared
 def place(
     parents: Ints,
     translations: Floats,
@@ -59,14 +59,16 @@ def place(
     """(J,), (J, 3), (J, 4) into (J, 3), (J, 4): one pose; parents stand before children."""
     for joint in range(parents.shape[0]):
         parent = parents[joint]
-        if parent < 0:
-            for axis in range(3):
-                positions[joint, axis] = translations[joint, axis]
-            turn = unit(rotations[joint])
-        else:
-            step = turned(orientations[parent], translations[joint])
-            for axis in range(3):
-                positions[joint, axis] = positions[parent, axis] + step[axis]
-            turn = unit(product(orientations[parent], rotations[joint]))
+        position = vector_at(translations, joint)
+        turn = quaternion_at(rotations, joint)
+        if parent >= 0:
+            frame = quaternion_at(orientations, parent)
+            step = turned(frame, position)
+            origin = vector_at(positions, parent)
+            position = (origin[0] + step[0], origin[1] + step[1], origin[2] + step[2])
+            turn = product(frame, turn)
+        turn = unit(turn)
+        for axis in range(3):
+            positions[joint, axis] = position[axis]
         for axis in range(4):
             orientations[joint, axis] = turn[axis]

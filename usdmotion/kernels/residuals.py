@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.kernels.compiling import inlined, kernel
+from usdmotion.kernels.compiling import kernel, shared
 from usdmotion.kernels.quaternions import (
     Quaternion,
     Vector,
@@ -14,9 +14,13 @@ from usdmotion.kernels.quaternions import (
     interpolated,
     inverse,
     product,
+    quaternion_at,
+    quaternion_in,
     rotation_vector,
     turned,
     unit,
+    vector_at,
+    vector_in,
 )
 from usdmotion.kernels.table import Kind, TaskTable
 
@@ -35,25 +39,25 @@ def residuals(table: TaskTable, positions: Floats, orientations: Floats) -> Floa
     return errors
 
 
-@inlined
+@shared
 def task_error(
     table: TaskTable, frame: int, task: int, positions: Floats, orientations: Floats
 ) -> Vector:
     """Return the world vector from what is to what is asked: metres, or a rotation vector."""
     if table.kind[task] == ROTATION:
         return _turn_error(table, frame, task, orientations)
-    x, y, z = table.target[frame, task]
+    x, y, z = vector_in(table.target, frame, task)
     for term in range(table.first_term[task], table.first_term[task + 1]):
         node = table.term_node[term]
         factor = table.term_coefficient[frame, term]
-        point = turned(orientations[node], table.term_point[frame, term])
+        point = turned(quaternion_at(orientations, node), vector_in(table.term_point, frame, term))
         x -= factor * (positions[node, 0] + point[0])
         y -= factor * (positions[node, 1] + point[1])
         z -= factor * (positions[node, 2] + point[2])
     return (x, y, z)
 
 
-@inlined
+@shared
 def held_length(table: TaskTable, frame: int, task: int, error: Any, orientations: Floats) -> float:
     """Return the length of an error along the directions that the task holds."""
     square = 0.0
@@ -65,87 +69,83 @@ def held_length(table: TaskTable, frame: int, task: int, error: Any, orientation
     return math.sqrt(square)
 
 
-@inlined
+@shared
 def held_axis(table: TaskTable, frame: int, task: int, axis: int, orientations: Floats) -> Vector:
     """Return the world direction of one of the axes along which a point is held."""
     x = 1.0 if axis == 0 else 0.0
     y = 1.0 if axis == 1 else 0.0
     z = 1.0 if axis == 2 else 0.0
-    direction = turned(table.axes_rotation[frame, task], (x, y, z))
+    direction = turned(quaternion_in(table.axes_rotation, frame, task), (x, y, z))
     node = table.axes_node[task]
     if node >= 0:
-        return turned(orientations[node], direction)
+        return turned(quaternion_at(orientations, node), direction)
     return direction
 
 
-@inlined
+@shared
 def _turn_error(table: TaskTable, frame: int, task: int, orientations: Floats) -> Vector:
     node = table.term_node[table.first_term[task]]
     asked = asked_orientation(table, frame, task, orientations)
-    free = table.free_axis[task]
+    free = vector_at(table.free_axis, task)
+    offset = quaternion_at(table.offset, task)
+    frame_turn = quaternion_at(orientations, node)
     if free[0] == 0.0 and free[1] == 0.0 and free[2] == 0.0:
-        present = product(orientations[node], table.offset[task])
+        present = product(frame_turn, offset)
         return rotation_vector(product(asked, inverse(present)))
-    present_axis = turned(orientations[node], free)
-    asked_axis = turned(asked, turned(inverse(table.offset[task]), free))
+    present_axis = turned(frame_turn, free)
+    asked_axis = turned(asked, turned(inverse(offset), free))
     return _between(present_axis, asked_axis)
 
 
-@inlined
+@shared
 def asked_orientation(table: TaskTable, frame: int, task: int, orientations: Floats) -> Quaternion:
     """Return the composite goal of a rotation task: a mean of the goals, blended in."""
     first, last = table.first_goal[task], table.first_goal[task + 1]
-    original = table.original[frame, task]
     blend = table.blend[frame, task]
-    start = (original[0], original[1], original[2], original[3])
+    start = quaternion_in(table.original, frame, task)
     if first == last or blend == 0.0:
         return start
     if last == first + 1:
         return interpolated(start, _goal(table, frame, first, orientations), blend)
-    outer = np.empty((4, 4))
-    for row in range(4):
-        for column in range(4):
-            outer[row, column] = 0.0
-    for goal in range(first, last):
+    mean = _goal(table, frame, first, orientations)
+    for _ in range(200):
+        nearer = _drawn_to_goals(table, frame, task, orientations, mean)
+        change = 0.0
+        for axis in range(4):
+            change = max(change, abs(nearer[axis] - mean[axis]))
+        mean = nearer
+        if change < 1e-15:
+            break
+    return interpolated(start, mean, blend)
+
+
+@shared
+def _drawn_to_goals(
+    table: TaskTable, frame: int, task: int, orientations: Floats, mean: Quaternion
+) -> Quaternion:
+    """One power iteration on Σ w q qᵀ, whose first eigenvector is the chordal mean."""
+    x, y, z, w = 0.0, 0.0, 0.0, 0.0
+    for goal in range(table.first_goal[task], table.first_goal[task + 1]):
         q = _goal(table, frame, goal, orientations)
-        for row in range(4):
-            for column in range(4):
-                outer[row, column] += table.goal_weight[frame, goal] * q[row] * q[column]
-    return interpolated(start, _greatest_eigenvector(outer), blend)
+        along = q[0] * mean[0] + q[1] * mean[1] + q[2] * mean[2] + q[3] * mean[3]
+        along *= table.goal_weight[frame, goal]
+        x += along * q[0]
+        y += along * q[1]
+        z += along * q[2]
+        w += along * q[3]
+    return unit((x, y, z, w))
 
 
-@inlined
+@shared
 def _goal(table: TaskTable, frame: int, goal: int, orientations: Floats) -> Quaternion:
-    q = table.goal_rotation[frame, goal]
+    q = quaternion_in(table.goal_rotation, frame, goal)
     node = table.goal_node[goal]
     if node >= 0:
-        return product(orientations[node], q)
-    return (q[0], q[1], q[2], q[3])
+        return product(quaternion_at(orientations, node), q)
+    return q
 
 
-@inlined
-def _greatest_eigenvector(matrix: Floats) -> Quaternion:
-    """(4, 4) to a unit vector, by squaring the matrix until one direction is left."""
-    square = np.empty((4, 4))
-    for _ in range(24):
-        trace = 0.0
-        for row in range(4):
-            for column in range(4):
-                square[row, column] = 0.0
-                for index in range(4):
-                    square[row, column] += matrix[row, index] * matrix[index, column]
-            trace += square[row, row]
-        for row in range(4):
-            for column in range(4):
-                matrix[row, column] = square[row, column] / trace
-    largest = 0
-    for index in range(4):
-        if matrix[index, index] > matrix[largest, largest]:
-            largest = index
-    return unit(matrix[largest])
-
-
-@inlined
+@shared
 def _between(a: Any, b: Any) -> Vector:
     """Return the shortest rotation vector that turns a's direction to b's."""
     axis = cross(a, b)
@@ -159,7 +159,7 @@ def _between(a: Any, b: Any) -> Vector:
     return (axis[0] * scale, axis[1] * scale, axis[2] * scale)
 
 
-@inlined
+@shared
 def _half_turn(a: Any) -> Vector:
     """Return some half turn that reverses a direction."""
     other = (1.0, 0.0, 0.0) if abs(a[0]) < 0.5 * (abs(a[1]) + abs(a[2])) else (0.0, 1.0, 0.0)

@@ -1,0 +1,123 @@
+"""All levels at once; where one is out of reach, level by level from there on."""
+
+from usdmotion.kernels import shared, task_error
+from usdmotion_prioritized_ik.iteration import converge, worst
+from usdmotion_prioritized_ik.posture import carry_over, recruit, restore, save, start
+from usdmotion_prioritized_ik.state import Work
+
+SETTLED, LIMIT = 1, 2
+MISSED = 1e-7
+"""An error above this, after the finish, is out of reach [m or rad]."""
+LEAK = 1e-6
+"""What a lower level may cost a higher one [m or rad]."""
+FEW = 6
+"""Iterations that are enough for whatever is within reach."""
+
+
+@shared
+def solve_levels(work: Work, frame: int, final: bool) -> tuple[int, int]:
+    """Solve the tasks that are on; return the iterations spent, and why they ended.
+
+    Projection is exact only to first order, so that a level that is missed still gives way to the
+    levels under it. What it attains without them is therefore found first, and kept as its goal
+    while they are solved: then all levels above are within reach, and give way to nobody.
+    """
+    carried, levels = work.carried, work.carried.valid.shape[0]
+    columns = recruit(work, levels)
+    start(work, frame, levels - 1)
+    spent, stop = _settle(work, frame, levels, columns)
+    spent += converge(work, frame, levels, columns, FEW, False, 1.0)
+    first = _first_missed(work, levels)
+    for level in range(levels - 1):
+        carried.valid[level] &= level >= first
+    for level in range(first, levels):
+        if first < levels - 1:
+            columns = recruit(work, level + 1)
+            if carried.valid[level] or level == first:
+                start(work, frame, level)
+            more, stop = _settle(work, frame, level + 1, columns)
+            spent += more
+        spent += _approach(work, frame, level, columns)
+        if level > first and worst(work, level) > LEAK:
+            spent += _approach_carefully(work, frame, level, columns)
+        for task in range(work.table.kind.shape[0]):
+            if work.table.level[task] == level and work.asked.on[task]:
+                keep(work, frame, task, 1.0)
+        save(work)
+        if final:
+            carry_over(work, frame, level)
+    if final:
+        carry_over(work, frame, levels - 1)
+    return spent, stop
+
+
+@shared
+def keep(work: Work, frame: int, task: int, share: float) -> None:
+    """From here on a task is to leave a share of the error that it has now."""
+    error = task_error(work.table, frame, task, work.pose.positions, work.pose.orientations)
+    for axis in range(3):
+        work.asked.kept[task, axis] = share * error[axis]
+
+
+@shared
+def _settle(work: Work, frame: int, levels: int, columns: int) -> tuple[int, int]:
+    most = work.settings.iterations
+    spent = converge(work, frame, levels, columns, most, True, 1.0)
+    return spent, SETTLED if spent < most else LIMIT
+
+
+@shared
+def _approach(work: Work, frame: int, level: int, columns: int) -> int:
+    """Bring a level near: with it, then without it, and so on up the ranks, the top one last."""
+    spent = 0
+    for levels in range(level + 1, 0, -1):
+        spent += converge(work, frame, levels, columns, work.settings.finish, False, 1.0)
+    return spent
+
+
+@shared
+def _approach_carefully(work: Work, frame: int, level: int, columns: int) -> int:
+    """Bring a level nearer by steps that cost the levels above nothing.
+
+    Where two levels can be met at one point only, leaving it by a finite step is not made good by
+    a finish. So begin again at the saved pose, in which those above were met, and take only steps
+    after which they still are.
+    """
+    restore(work)
+    converge(work, frame, level + 1, columns, 0, False, 1.0)
+    nearest = _left(work, level)
+    spent, share = 0, 1.0
+    for _ in range(work.settings.finish):
+        spent += converge(work, frame, level + 1, columns, 1, False, share)
+        for levels in range(level, 0, -1):
+            spent += converge(work, frame, levels, columns, FEW, False, 1.0)
+        converge(work, frame, level + 1, columns, 0, False, 1.0)
+        left = _left(work, level)
+        if left < nearest and worst(work, level) < LEAK:
+            nearest = left
+            save(work)
+        else:
+            restore(work)
+            share *= 0.3
+            if share < 1e-3:
+                break
+    restore(work)
+    return spent
+
+
+@shared
+def _first_missed(work: Work, levels: int) -> int:
+    for task in range(work.table.kind.shape[0]):
+        if work.asked.on[task] and work.asked.errors[task] > MISSED:
+            return work.table.level[task]
+    return levels
+
+
+@shared
+def _left(work: Work, level: int) -> float:
+    """Return the squared error of one level."""
+    square = 0.0
+    for task in range(work.table.kind.shape[0]):
+        if work.table.level[task] == level and work.asked.on[task]:
+            square += work.asked.errors[task] ** 2
+    return square

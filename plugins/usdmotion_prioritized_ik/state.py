@@ -1,0 +1,105 @@
+"""Everything that the kernels of this solver pass around: F frames, N nodes, T tasks, L levels."""
+
+from typing import NamedTuple
+
+from usdmotion.arrays import Bools, Floats, Ints
+from usdmotion.kernels import TaskTable
+from usdmotion_prioritized_ik.stack import Stack
+
+
+class Input(NamedTuple):
+    """The cast's input motion."""
+
+    parents: Ints
+    """(N,)"""
+    translates: Bools
+    """(N,) nodes that also translate."""
+    freedom: Floats
+    """(N,) 1 − stiffness: how willingly a node moves."""
+    translations: Floats
+    """(F, N, 3)"""
+    rotations: Floats
+    """(F, N, 4)"""
+
+
+class Settings(NamedTuple):
+    """The solver's options, as numbers."""
+
+    iterations: int
+    finish: int
+    posture: float
+    root: float
+    damping: float
+    curvature: float
+    rank: float
+    turn_limit: float
+    reach_limit: float
+    error_change: float
+    posture_change: float
+
+
+class Pose(NamedTuple):
+    """The pose of the frame that is being solved, and what moves it."""
+
+    translations: Floats
+    """(N, 3) in the parent's frame."""
+    rotations: Floats
+    """(N, 4) in the parent's frame."""
+    positions: Floats
+    """(N, 3) in the world."""
+    orientations: Floats
+    """(N, 4) in the world."""
+    recruited: Bools
+    """(N,) which nodes may move."""
+    columns: Ints
+    """(N,) first column of each of them, -1 for the others."""
+    preserving: Floats
+    """(C,) what would bring the input's joint angles back."""
+
+
+class Saved(NamedTuple):
+    """A pose to come back to."""
+
+    translations: Floats
+    """(N, 3)"""
+    rotations: Floats
+    """(N, 4)"""
+
+
+class Carried(NamedTuple):
+    """The displacement found on the frame before, for the first 1, 2, … L levels."""
+
+    valid: Bools
+    """(L,)"""
+    translations: Floats
+    """(L, N, 3) to be added to the input's."""
+    rotations: Floats
+    """(L, N, 4) to be applied before the input's."""
+
+
+class Asked(NamedTuple):
+    """Which tasks take part in a solve, and what is left of them."""
+
+    on: Bools
+    """(T,)"""
+    kept: Floats
+    """(T, 3) the error that a task is to leave, so that it is let go or not asked in vain."""
+    errors: Floats
+    """(T,) how far each is from that [m or rad]."""
+    row_errors: Floats
+    """(3,) scratch."""
+    block: Floats
+    """(3, C) scratch."""
+
+
+class Work(NamedTuple):
+    """All of it."""
+
+    given: Input
+    table: TaskTable
+    settings: Settings
+    pose: Pose
+    saved: Saved
+    carried: Carried
+    asked: Asked
+    stack: Stack
