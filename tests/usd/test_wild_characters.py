@@ -209,7 +209,7 @@ def test_an_instance_may_be_bound_from_outside(text, save, check):
 
 def test_an_instance_with_a_binding_inside_is_refused(text, save, read):
     body = instanced(text, on_skeleton="rel skel:animationSource = </Assets/Man/Walk>")
-    with pytest.raises(SceneError, match="</One/Bones> is inside an instance and .*out of reach"):
+    with pytest.raises(SceneError, match=r"</One/Bones> is inside an instance and .*out of reach"):
         read(save(body))
 
 
