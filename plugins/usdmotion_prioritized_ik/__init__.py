@@ -2,8 +2,7 @@
 
 from collections.abc import Iterable
 
-from usdmotion.hookspecs import hookimpl
-from usdmotion.solving import Solver
+from usdmotion import Solver, hookimpl
 from usdmotion_prioritized_ik.solver import PrioritizedIK
 
 __all__ = ["PrioritizedIK", "register_solvers"]

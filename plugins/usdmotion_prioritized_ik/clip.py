@@ -1,6 +1,6 @@
 """The loop over the frames of a clip (2003, figure 6)."""
 
-from usdmotion.arrays import Floats, Ints
+from usdmotion import Floats, Ints
 from usdmotion.kernels import inlined, kernel
 from usdmotion_prioritized_ik.convergence import SETTLED, keep, solve_levels
 from usdmotion_prioritized_ik.state import Work

@@ -5,9 +5,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from usdmotion.arrays import Bools
-from usdmotion.options import option
-from usdmotion.solving import Problem, Solution
+from usdmotion import Bools, Problem, Solution, option
 from usdmotion_prioritized_ik.clip import solve_clip
 from usdmotion_prioritized_ik.stack import make_stack
 from usdmotion_prioritized_ik.state import Asked, Carried, Input, Pose, Saved, Settings, Work

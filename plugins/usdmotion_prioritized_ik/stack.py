@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from usdmotion.arrays import Floats, Ints
+from usdmotion import Floats, Ints
 from usdmotion.kernels import inlined, shared, summing
 
 

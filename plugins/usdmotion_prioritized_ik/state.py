@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from usdmotion.arrays import Bools, Floats, Ints
+from usdmotion import Bools, Floats, Ints
 from usdmotion.kernels import TaskTable
 from usdmotion_prioritized_ik.stack import Stack
 
