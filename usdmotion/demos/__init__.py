@@ -1,1 +1,31 @@
-"""The stages that the project makes itself."""
+"""The stages that the project makes itself: one figure of a paper a module, over one gait."""
+
+from importlib import import_module
+from pathlib import Path
+
+from usdmotion.errors import FileError
+
+NAMES = ("reaching", "goals", "sunshade")
+"""Every demo, in the order in which they explain themselves."""
+
+
+def build(name: str, folder: Path) -> Path:
+    """Write the stage of a demo into a folder, which is made where it is missing.
+
+    Args:
+        name: One of `NAMES`.
+        folder: Where; the stage is `NAME.usda` in it.
+
+    Returns:
+        The stage.
+
+    Raises:
+        FileError: It cannot be written there.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(f"{folder}: cannot be made: {error.strerror}") from error
+    output = folder / f"{name}.usda"
+    import_module(f"usdmotion.demos.{name}").build(output)
+    return output

@@ -11,6 +11,7 @@ register(host().schemas)
 from usdmotion.usd.authoring import author, author_edit  # noqa: E402
 from usdmotion.usd.character_authoring import author_character  # noqa: E402
 from usdmotion.usd.inspection import Inspection, inspect  # noqa: E402
+from usdmotion.usd.new_stages import new_stage  # noqa: E402
 from usdmotion.usd.reading import read  # noqa: E402
 from usdmotion.usd.recordings import write_recording  # noqa: E402
 from usdmotion.usd.shot import Result, Shot  # noqa: E402
@@ -25,6 +26,7 @@ __all__ = [
     "author_edit",
     "compose",
     "inspect",
+    "new_stage",
     "read",
     "write",
     "write_recording",

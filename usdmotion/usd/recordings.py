@@ -3,16 +3,12 @@
 from pathlib import Path
 
 import numpy as np
-from pxr import Usd
 
 from usdmotion.motion import Body
 from usdmotion.recording import Recording
 from usdmotion.usd.character_authoring import author_character
 from usdmotion.usd.clips import SLACK
-from usdmotion.usd.layers import new_layer, require_writable, save
-from usdmotion.usd.shot import Facts
-
-_CENTIMETRE = 0.01
+from usdmotion.usd.new_stages import new_stage
 
 
 def write_recording(
@@ -29,35 +25,24 @@ def write_recording(
     Raises:
         FileError: It cannot be written there.
     """
-    require_writable(output, frozenset())
     rate = frame_rate or recording.frame_rate
     codes = first + recording.motion.times * rate
     # Samples that were meant to be on whole frames are, whatever dividing by the rate has done.
     whole = np.round(codes)
     codes = np.where(np.abs(codes - whole) < SLACK, whole, codes)
-    facts = Facts(
-        meters_per_unit=_CENTIMETRE,
-        up_axis=recording.up,
-        time_codes_per_second=rate,
-        frames_per_second=rate,
-        start=float(codes[0]),
-        end=float(codes[-1]),
-        default_prim=recording.name,
-    )
-    stage = Usd.Stage.Open(new_layer(facts))
-    count = len(recording.skeleton.joints)
-    author_character(
-        stage,
-        f"/{recording.name}",
-        recording.skeleton,
-        Body.unknown(count),
-        recording.motion,
-        time_codes=codes,
-        names=recording.original_names,
-        tip_joints=recording.tip_joints,
-        tip_points=recording.tip_points,
-    )
-    root = stage.GetPrimAtPath(f"/{recording.name}")
-    stage.SetDefaultPrim(root)
-    Usd.ModelAPI(root).SetKind("component")
-    save(stage.GetRootLayer(), output)
+    start, end = float(codes[0]), float(codes[-1])
+    root = recording.name
+    with new_stage(
+        output, frame_rate=rate, first=start, last=end, up=recording.up, root=root
+    ) as stage:
+        author_character(
+            stage,
+            f"/{root}",
+            recording.skeleton,
+            Body.unknown(len(recording.skeleton.joints)),
+            recording.motion,
+            time_codes=codes,
+            names=recording.original_names,
+            tip_joints=recording.tip_joints,
+            tip_points=recording.tip_points,
+        )
