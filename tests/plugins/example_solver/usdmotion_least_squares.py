@@ -9,9 +9,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
-from usdmotion import Problem, Solution, Solver, hookimpl, option
+from usdmotion import Bools, Floats, Ints, Problem, Solution, Solver, hookimpl, option
 from usdmotion.kernels import (
     TaskTable,
     conjugate,
@@ -25,8 +24,6 @@ from usdmotion.kernels import (
     task_rows,
 )
 
-Floats = NDArray[np.float64]
-Ints = NDArray[np.int64]
 _LONGEST_STEP = 0.3
 
 
@@ -124,7 +121,7 @@ class _Frame:
 
 
 @kernel
-def _number(recruited: NDArray[np.bool_], translates: NDArray[np.bool_], columns: Ints) -> int:
+def _number(recruited: Bools, translates: Bools, columns: Ints) -> int:
     """(N,), (N,) into (N,)."""
     return number_columns(recruited, translates, columns)
 
@@ -134,7 +131,7 @@ def _measure(
     table: TaskTable,
     frame: int,
     parents: Ints,
-    translates: NDArray[np.bool_],
+    translates: Bools,
     columns: Ints,
     positions: Floats,
     orientations: Floats,
@@ -154,8 +151,8 @@ def _measure(
         first = 3 * task
         wanted = (error[0] - kept[task, 0], error[1] - kept[task, 1], error[2] - kept[task, 2])
         task_rows(
-            table, frame, task, parents, translates, columns, positions, orientations,
-            wanted, rows[first : first + 3], errors[first : first + 3], block,
+            table, frame, task, parents, translates, columns, rows.shape[1], positions,
+            orientations, wanted, rows, first, errors[first : first + 3], block,
         )  # fmt: skip
         scale = np.sqrt(table.weight[frame, task])
         rows[first : first + 3] *= scale
