@@ -1,4 +1,4 @@
-"""The layer that is written: what is in it, what is not, and that it is there whole or not at all."""
+"""The layer that is written: what is in it, and that it is there whole or not at all."""
 
 import os
 

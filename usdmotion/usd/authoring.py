@@ -8,11 +8,19 @@ from pxr import Sdf, Usd
 
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint
+from usdmotion.errors import SceneError
 from usdmotion.usd.attribute_authoring import author_fields, define, time_code_array
+from usdmotion.usd.clips import own_times
+from usdmotion.usd.edits import source_of
+from usdmotion.usd.faults.relations import edit_of, floats, skeleton_of, value
 from usdmotion.usd.goal_authoring import author_goal
 from usdmotion.usd.scaling import joint_units
+from usdmotion.usd.shot import Facts
 from usdmotion.usd.stages import read_facts
+from usdmotion.usd.times import solved_times
 
+_SAME = 1e-6
+"""Relative difference of two points that is rounding."""
 _OPTION_TYPES = {
     bool: Sdf.ValueTypeNames.Bool,
     int: Sdf.ValueTypeNames.Int,
@@ -54,9 +62,9 @@ def author_edit(
         prim.GetAttribute("usdmotion:range").Set(time_code_array(frames))
     if sample_rate:
         prim.GetAttribute("usdmotion:sampleRate").Set(float(sample_rate))
-    for name, value in (options or {}).items():
-        kind = _OPTION_TYPES[type(value)]
-        prim.CreateAttribute(f"usdmotion:option:{name}", kind, custom=True).Set(value)
+    for name, chosen in (options or {}).items():
+        kind = _OPTION_TYPES[type(chosen)]
+        prim.CreateAttribute(f"usdmotion:option:{name}", kind, custom=True).Set(chosen)
 
 
 def author(
@@ -73,19 +81,44 @@ def author(
         path: Path of the prim, under a MotionEdit; the constraint's own path says nothing here.
         constraint: What to author, in metres and seconds.
         time_codes: Time code of each frame of what is animated; the first is where seconds start.
-            None starts at the stage's start and has nothing animated.
+            None starts where the edit does and has nothing animated.
 
     Raises:
         SceneError: Something is animated and nobody says when, or cannot be told on a stage.
     """
     facts = read_facts(stage)
-    codes = np.asarray([facts.start or 0.0] if time_codes is None else time_codes, dtype=np.float64)
+    codes = _first_code(stage, path, facts) if time_codes is None else np.array(time_codes, float)
     if np.any(constraint.point):
-        units = joint_units(stage, constraint.skeleton, constraint.joint, codes, facts)
-        point = np.squeeze(constraint.point / units * facts.meters_per_unit)
-        constraint = replace(constraint, point=point)
+        constraint = replace(constraint, point=_in_units(stage, path, constraint, codes, facts))
     prim = define(stage, path, constraint.schema)
     author_fields(prim, constraint, codes, facts)
     for index, goal in enumerate(constraint.goals):
         name = goal.path.rsplit("/", 1)[-1] or f"Goal{index + 1}"
         author_goal(define(stage, f"{path}/{name}", "MotionGoal"), goal, codes, facts)
+
+
+def _first_code(stage: Usd.Stage, path: str, facts: Facts) -> Floats:
+    """Return the time code at which the edit that a constraint is part of will be solved first."""
+    edit = edit_of(stage.GetPrimAtPath(Sdf.Path(path).GetParentPath()))
+    skeleton = skeleton_of(edit) if edit else None
+    if edit is None or skeleton is None:
+        return np.array([facts.start or 0.0])
+    own = own_times(source_of(edit, skeleton))
+    span = floats(value(edit, "usdmotion:range", ()))
+    rate = float(value(edit, "usdmotion:sampleRate", 0.0))
+    ends = (span[0], span[1]) if span else None
+    return solved_times(own, ends, rate, facts, f"<{edit.GetPath()}>")[:1]
+
+
+def _in_units(
+    stage: Usd.Stage, path: str, constraint: Constraint, time_codes: Floats, facts: Facts
+) -> Floats:
+    """Return a constraint's point as what `author_fields` takes for metres of its joint's frame."""
+    units = joint_units(stage, constraint.skeleton, constraint.joint, time_codes, facts)
+    points = np.atleast_2d(constraint.point / units * facts.meters_per_unit)
+    if np.ptp(points, axis=0).max() > _SAME * np.abs(points).max():
+        raise SceneError(
+            f"<{path}> holds a point of '{constraint.joint}', whose scale changes over time, and a "
+            "point of a constraint is one for the whole shot; hold a joint that is not scaled"
+        )
+    return np.asarray(points[0])

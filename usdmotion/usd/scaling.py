@@ -13,6 +13,9 @@ from usdmotion.usd.shot import Facts, Rest, Samples
 from usdmotion.usd.skeletons import Joints, read_joints
 from usdmotion.usd.transforms import even, rigid, world_matrices
 
+_STEADY = 1e-12
+"""Relative change of a scale over time that comes from turning matrices."""
+
 
 @dataclass(frozen=True, eq=False)
 class Scaling:
@@ -71,7 +74,10 @@ def read_space(
         raise SceneError(
             f"{name} is scaled unevenly by itself or a prim above it; make the scale uniform"
         )
-    return translations * facts.meters_per_unit, rotations, scales[:, 0] * facts.meters_per_unit
+    units = scales[:, 0] * facts.meters_per_unit
+    if np.ptp(units) <= _STEADY * units[0]:
+        units = units[:1]
+    return translations * facts.meters_per_unit, rotations, units
 
 
 def scaling_of(joints: Joints, of_space: Floats, scales: Floats) -> Scaling:
@@ -96,7 +102,7 @@ def joint_scales(
     """Return the scales of all joints, (frame_count or 1, joint_count, 3).
 
     Raises:
-        SceneError: A joint with others below it is scaled unevenly, mirrored, or to nothing.
+        SceneError: A joint with others below it is scaled unevenly or to nothing.
     """
     bits = samples.scales.view(np.uint16)  # halves are slow to compare
     values = samples.scales[: 1 if (bits == bits[:1]).all() else None]
@@ -108,10 +114,12 @@ def joint_scales(
                 f"{name} scales the joint '{joints.tokens[joint]}' unevenly, which shears the "
                 "joints below it; make its scale the same along the three axes"
             )
-        if not (own > 0.0).all():
+        # A negative one mirrors through a point, which changes places with every rotation: it is
+        # nothing but a negative unit for what is below.
+        if not own.all():
             raise SceneError(
-                f"{name} scales the joint '{joints.tokens[joint]}' by zero or less; make its "
-                "scale positive"
+                f"{name} scales the joint '{joints.tokens[joint]}' to nothing; give it a scale "
+                "that is not zero"
             )
     return scales
 
