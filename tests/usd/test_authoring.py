@@ -189,3 +189,10 @@ def test_authoring_again_changes_what_is_there(text, save, read):
     del stage
     found = read(path).scenes[0].constraints[0]
     assert (found.priority, found.axes) == (2, "x")
+
+
+@pytest.mark.parametrize("path", ["", "Edit", "/Man/", "/Man.joints", "/a b"])
+def test_what_is_no_path_is_refused(text, save, path):
+    stage = Usd.Stage.Open(str(save(text.man())))
+    with pytest.raises(SceneError, match="is no path of a prim"):
+        usd.author_edit(stage, path)

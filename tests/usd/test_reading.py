@@ -1,8 +1,13 @@
 """What is read from edits, constraints and goals, and what is refused."""
 
+from dataclasses import dataclass
+from typing import ClassVar
+
 import numpy as np
 import pytest
 
+from usdmotion import usd
+from usdmotion.constraints import Constraint, attribute, built_in
 from usdmotion.errors import FileError, SceneError
 
 SOURCE_LAYER = "timeCodesPerSecond = 24\nmetersPerUnit = 0.01"
@@ -513,3 +518,42 @@ def test_more_faults_than_one_are_counted(text, save, read):
     worse = hold(name="Other", attributes='uniform token usdmotion:axes = "v"')
     with pytest.raises(SceneError, match="and 1 more, which `usdmotion inspect` lists"):
         read(save(text.man(edit=edit(bad + worse))))
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class StudioConstraint(Constraint):
+    """A kind that some plugin brings."""
+
+    schema: ClassVar[str] = "MotionStudioConstraint"
+    strength: float = attribute(2.0, animated=True)
+    reach: float = attribute(0.0, unit="length")
+    names: tuple[str, ...] = attribute(())
+
+
+def test_a_kind_of_a_plugin_is_read_like_our_own(text, save):
+    attributes = """custom double usdmotion:strength.timeSamples = { 1: 0, 5: 4 }
+    custom double usdmotion:reach = 50
+    custom token[] usdmotion:names = ["a", "b"]"""
+    body = text.man(edit=edit(hold(kind="MotionStudioConstraint", attributes=attributes)))
+    shot = usd.read(save(body, header=SOURCE_LAYER), kinds=[*built_in(), StudioConstraint])
+    (held,) = shot.scenes[0].constraints
+    assert isinstance(held, StudioConstraint)
+    np.testing.assert_allclose(held.strength, (0, 1, 2, 3, 4))
+    assert (held.reach, held.names, held.joint) == (0.5, ("a", "b"), "hip/knee/ankle")
+
+
+def test_a_value_that_is_blocked_for_a_while_is_refused(first):
+    with pytest.raises(SceneError, match="Edit/Hold> has nan in usdmotion:weight at 2"):
+        first(hold(attributes="double usdmotion:weight.timeSamples = { 1: 3, 2: None, 4: 5 }"))
+
+
+def test_an_animation_of_other_joints_is_refused(text, save, read):
+    free = edit(attributes="rel usdmotion:source = </Run>")
+    run = f'def SkelAnimation "Run" {{\n{text.poses(joints=("tail",))}\n}}'
+    with pytest.raises(SceneError, match="</Run> has none of the joints of </Man/Bones>"):
+        read(save(text.man(edit=free) + run))
+
+
+def test_an_animation_that_names_a_joint_twice_is_refused(text, save, read):
+    with pytest.raises(SceneError, match="</Man/Walk> lists the joint 'hip' more than once"):
+        read(save(text.man(animation=text.poses(joints=("hip", "hip/knee", "hip")))))

@@ -218,6 +218,13 @@ def test_an_instance_with_a_binding_inside_is_refused(text, save, read):
         read(save(body))
 
 
+def test_an_instance_with_two_skeletons_cannot_be_bound_from_outside(text, save, read):
+    second = f'def Skeleton "More" {{\nuniform token[] joints = ["a"]\n{text.REST}\n}}'
+    body = instanced(text, on_skeleton="", inside=second.replace(text.REST, ""))
+    with pytest.raises(SceneError, match="</One/Bones> is inside an instance with </One/More>"):
+        read(save(body))
+
+
 def test_an_edit_inside_an_instance_is_refused(text, save, read):
     asset = text.man()
     with pytest.raises(SceneError, match="</One/Bones/Edit> is inside an instance"):

@@ -325,6 +325,12 @@ def test_a_result_that_does_not_fit_its_edit_is_refused_and_leaves_no_file(shot,
     assert not (tmp_path / "edit.usda").exists()
 
 
+def test_a_result_of_an_edit_that_was_not_read_is_refused(shot, tmp_path):
+    motion = shot.scenes[0].characters[0].motion
+    with pytest.raises(SceneError, match="a result of </Other>, which was not read"):
+        usd.write(shot, [usd.Result("/Other", motion, "x", {})], tmp_path / "edit.usda")
+
+
 def test_an_older_layer_is_replaced(shot, tmp_path, leave):
     output = tmp_path / "edit.usda"
     usd.write(shot, [bent(shot)], output)

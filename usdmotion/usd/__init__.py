@@ -4,18 +4,21 @@ Importing it makes USD know the schema and those of plugins, so do it before ope
 """
 
 from usdmotion.plugins import host
-from usdmotion.usd.registration import register
+from usdmotion.usd.registration import RegistrationError, register
 
-register(host().schemas)
+try:
+    register(host().schemas)
+except RegistrationError:  # a plugin that brings a broken schema takes nobody down with it
+    register()
 
-from usdmotion.usd.authoring import author, author_edit  # noqa: E402
-from usdmotion.usd.character_authoring import author_character  # noqa: E402
-from usdmotion.usd.inspection import Inspection, inspect  # noqa: E402
-from usdmotion.usd.new_stages import new_stage  # noqa: E402
-from usdmotion.usd.reading import read  # noqa: E402
-from usdmotion.usd.recordings import write_recording  # noqa: E402
-from usdmotion.usd.shot import Result, Shot  # noqa: E402
-from usdmotion.usd.writing import compose, write  # noqa: E402
+from usdmotion.usd.authoring import author, author_edit
+from usdmotion.usd.character_authoring import author_character
+from usdmotion.usd.inspection import Inspection, inspect
+from usdmotion.usd.new_stages import new_stage
+from usdmotion.usd.reading import read
+from usdmotion.usd.recordings import write_recording
+from usdmotion.usd.shot import Result, Shot
+from usdmotion.usd.writing import compose, write
 
 __all__ = [
     "Inspection",

@@ -13,7 +13,14 @@ from usdmotion.usd.shot import Facts
 
 
 def define(stage: Usd.Stage, path: str, schema: str) -> Usd.Prim:
-    """Return a prim of a schema class, made where it is not there, that nobody renders."""
+    """Return a prim of a schema class, made where it is not there, that nobody renders.
+
+    Raises:
+        SceneError: The path is not one that a prim can have.
+    """
+    fine = Sdf.Path.IsValidPathString(path)[0] and path.startswith("/")
+    if not fine or not Sdf.Path(path).IsPrimPath():
+        raise SceneError(f"'{path}' is no path of a prim; write one like /World/Edit/Wrist")
     prim = stage.DefinePrim(path, schema)
     UsdGeom.Imageable(prim).CreatePurposeAttr(UsdGeom.Tokens.guide)
     return prim
@@ -33,8 +40,15 @@ def author_fields(prim: Usd.Prim, held: object, time_codes: Floats, facts: Facts
     """
     for each in attributes(type(held)):
         value = getattr(held, each.field)
-        if not np.array_equal(value, each.default):
-            _author(prim.GetAttribute(each.name), each, value, time_codes, facts)
+        if np.array_equal(value, each.default):
+            continue
+        attribute = prim.GetAttribute(each.name)
+        if not attribute:
+            raise SceneError(
+                f"<{prim.GetPath()}> cannot have {each.name}, as USD does not know the schema "
+                f"{prim.GetTypeName()}; register it before a stage is opened"
+            )
+        _author(attribute, each, value, time_codes, facts)
 
 
 def time_code_array(codes: Iterable[float]) -> Any:

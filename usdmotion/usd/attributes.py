@@ -42,7 +42,9 @@ def _read(attribute: Usd.Attribute, each: Attribute, time_codes: Floats, facts: 
 
 
 def _plain(value: Any, default: Any) -> Any:
-    """Return a value of USD as one of the type of a field's default."""
+    """Return a value of USD as one of the type of a field's default, which stands for a block."""
+    if value is None:
+        return default
     if isinstance(default, np.ndarray):
         if isinstance(value, (Gf.Quatf, Gf.Quatd, Gf.Quath)):
             return np.array([*value.GetImaginary(), value.GetReal()], dtype=np.float64)

@@ -10,6 +10,7 @@ from usdmotion.cast import Character
 from usdmotion.errors import SceneError
 from usdmotion.motion import Motion, Placement, Skeleton
 from usdmotion.usd.clips import clip_joints, own_times, resample, sample
+from usdmotion.usd.faults.skeletons import find_unreadable_animations
 from usdmotion.usd.scaling import (
     Scaling,
     columns_of,
@@ -21,6 +22,7 @@ from usdmotion.usd.scaling import (
 )
 from usdmotion.usd.shot import Facts, Rest, Samples
 from usdmotion.usd.skeletons import Joints, pelvis_of, read_body, read_joints
+from usdmotion.usd.stages import refuse
 
 _UNIT = 1e-3
 """How far the square of a quaternion may be from one before it is no rotation any more."""
@@ -61,6 +63,7 @@ def read_character(
     """
     joints, clip = read_joints(skeleton), clip_joints(animation)
     columns = columns_of(clip, joints)
+    _require_match(animation, clip, columns, joints)
     rest = needed_rest(joints, columns)
     own = sample(animation, own_times(animation))
     solved = resample(own, animation, time_codes)
@@ -81,6 +84,20 @@ def read_character(
         root=root_joint(skeleton, joints, own, columns),
     )
     return Sitting(character, joints, clip, columns, own, solved, scaling)
+
+
+def _require_match(
+    animation: Usd.Prim | None, clip: tuple[str, ...], columns: Ints, joints: Joints
+) -> None:
+    if animation is None or not clip:
+        return
+    if len(set(clip)) < len(clip):
+        refuse(list(find_unreadable_animations(animation)))
+    if (columns < 0).all():
+        raise SceneError(
+            f"<{animation.GetPath()}> has none of the joints of <{joints.path}>; name another "
+            "animation, or rename its joints"
+        )
 
 
 def _motion(

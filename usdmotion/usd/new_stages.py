@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Literal
 
 from pxr import Usd
 
@@ -19,7 +20,7 @@ def new_stage(
     frame_rate: float,
     first: float,
     last: float,
-    up: str = "Y",
+    up: Literal["Y", "Z"] = "Y",
     root: str,
 ) -> Iterator[Usd.Stage]:
     """Give an empty stage in centimetres, and write it when everything is on it.

@@ -4,6 +4,7 @@ import dataclasses
 import hashlib
 import struct
 from collections.abc import Mapping, Sequence
+from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
@@ -15,6 +16,7 @@ _NOT_READ = ("holder", "bound")
 """Fields of a take that only say where the result goes."""
 
 
+@cache
 def own_version() -> str:
     """Return the version of usdmotion."""
     try:

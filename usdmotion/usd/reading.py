@@ -71,20 +71,20 @@ def read(
 
 def couple(requests: Sequence[Request]) -> list[list[Request]]:
     """Return requests in groups: together where one has a goal in a joint that another moves."""
+    spaces = {each.path: skeletons_of_goals(each.edit) for each in requests}
+
+    def meet(one: Request, other: Request) -> bool:
+        skeletons = (str(each.skeleton.GetPath()) for each in (one, other))
+        return next(skeletons) in spaces[other.path] or next(skeletons) in spaces[one.path]
+
     groups: list[list[Request]] = []
     for new in requests:
-        met = [group for group in groups if any(_meet(new, other) for other in group)]
+        met = [group for group in groups if any(meet(new, other) for other in group)]
         groups = [group for group in groups if group not in met]
         groups.append([*(each for group in met for each in group), new])
     order = {each.path: index for index, each in enumerate(requests)}
     sorted_groups = [sorted(group, key=lambda each: order[each.path]) for group in groups]
     return sorted(sorted_groups, key=lambda group: order[group[0].path])
-
-
-def _meet(one: Request, other: Request) -> bool:
-    return str(other.skeleton.GetPath()) in skeletons_of_goals(one.edit) or str(
-        one.skeleton.GetPath()
-    ) in skeletons_of_goals(other.edit)
 
 
 def _read_group(

@@ -37,6 +37,11 @@ def write(shot: Shot, results: Sequence[Result], output: Path) -> None:
     """
     require_writable(output, shot.layers)
     takes = {take.edit: take for take in shot.takes}
+    for result in results:
+        if result.edit not in takes:
+            raise SceneError(
+                f"there is a result of <{result.edit}>, which was not read to be solved"
+            )
     layer = new_layer(shot.facts)
     hashes = {result.edit: input_hash(shot, takes[result.edit]) for result in results}
     with Sdf.ChangeBlock():
