@@ -145,7 +145,7 @@ def fake(monkeypatch: pytest.MonkeyPatch) -> type[Solver]:
 def test_another_solver_leaves_behind_the_options_of_the_first(
     arm_shot: ArmShot, tmp_path: Path, fake: type[Solver]
 ) -> None:
-    report = solve(arm_shot(), tmp_path / "out.usda", solver="fake", values={"pull": "0.25"})
+    report = solve(arm_shot(), tmp_path / "out.usda", solver="fake", options={"pull": "0.25"})
     assert report.edits[0].solver == "fake"
     assert report.edits[0].constraints[0].max == pytest.approx(0.05, abs=1e-6)
 
@@ -165,7 +165,7 @@ def test_options_are_checked_by_name_and_limit(
     sentence: str,
 ) -> None:
     with pytest.raises(OptionError, match=sentence):
-        solve(arm_shot(), tmp_path / "out.usda", solver="fake", values=values)
+        solve(arm_shot(), tmp_path / "out.usda", solver="fake", options=values)
 
 
 def test_an_unknown_solver_is_answered_with_those_that_are_there(
@@ -235,7 +235,7 @@ def test_a_recording_is_resampled_where_a_rate_is_asked_for(walk: Path, tmp_path
 
 def test_the_unit_of_a_file_can_be_said(walk: Path, tmp_path: Path) -> None:
     large = import_motion(walk, tmp_path / "large.usda", unit=0.01)
-    small = import_motion(walk, tmp_path / "small.usda", values={"unit": "0.001"})
+    small = import_motion(walk, tmp_path / "small.usda", options={"unit": "0.001"})
     lengths = (recording.skeleton.rest_translations[1, 1] for recording in (large, small))
     assert list(lengths) == pytest.approx([-0.8, -0.08])
 

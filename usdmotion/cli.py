@@ -97,7 +97,7 @@ def import_(
             unit=unit,
             name=name,
             reader=reader,
-            values=_values(option),
+            options=_values(option),
         )
     for note in recording.notes:
         terminal.note(note)
@@ -144,7 +144,7 @@ def solve(
             output,
             edits=edit or (),
             solver=solver,
-            values=_values(option),
+            options=_values(option),
             frames=_frames(frames),
             compose=compose,
             mend_recruiting=mend_recruiting,
@@ -192,8 +192,7 @@ def demo(
     if name not in demos.NAMES:
         raise InputError(f"there is no demo '{name}'; there are: {', '.join(demos.NAMES)}")
     folder = output or Path(name)
-    demos.build(name, folder)
-    stage = folder / f"{name}.usda"
+    stage = demos.build(name, folder)
     terminal.tell(f"wrote {stage}", f"solve it by: usdmotion solve {stage}")
 
 

@@ -16,7 +16,8 @@ from usdmotion.errors import FileError, InputError, PluginError, SceneError
 from usdmotion.kernels.compiling import cache_folder
 from usdmotion.mending import broken, mended, sentence
 from usdmotion.motion import Motion
-from usdmotion.options import configured, options
+from usdmotion.options import configured
+from usdmotion.options import options as options_of
 from usdmotion.plugins import host
 from usdmotion.recording import Recording
 from usdmotion.report import ConstraintReport, EditReport, Report, judge
@@ -40,7 +41,7 @@ def import_motion(
     unit: float | None = None,
     name: str | None = None,
     reader: str | None = None,
-    values: Mapping[str, object] | None = None,
+    options: Mapping[str, object] | None = None,
 ) -> Recording:
     """Make a stage of a file of motion.
 
@@ -52,7 +53,7 @@ def import_motion(
         unit: Metres per unit of the file; None lets the reader decide.
         name: Name of the character; None takes the reader's.
         reader: Name of the reader; None takes the first that reads files of this ending.
-        values: Options of the reader.
+        options: Options of the reader.
 
     Returns:
         What was written, with notes about what was decided on the way.
@@ -64,7 +65,7 @@ def import_motion(
 
     _require(source)
     kind = host().reader(reader) if reader else host().reader_of(source)
-    settings = dict(values or {}) | ({} if unit is None else {"unit": unit})
+    settings = dict(options or {}) | ({} if unit is None else {"unit": unit})
     recording = configured(kind, settings).read(source)
     if name is not None:
         if not name.isidentifier():
@@ -94,7 +95,7 @@ def solve(
     *,
     edits: Sequence[str] = (),
     solver: str | None = None,
-    values: Mapping[str, object] | None = None,
+    options: Mapping[str, object] | None = None,
     frames: tuple[float, float] | None = None,
     compose: Path | None = None,
     mend_recruiting: bool = False,
@@ -107,7 +108,7 @@ def solve(
         output: The layer to write.
         edits: Paths of the edits to solve; none solves all.
         solver: Name of the solver; None takes what each edit says.
-        values: Options of the solver, on top of those that an edit carries for it.
+        options: Options of the solver, on top of those that an edit carries for it.
         frames: First and last time code to solve; None takes what each edit says.
         compose: Where to write a stage that shows the answer over the shot; None writes none.
         mend_recruiting: Let constraints recruit what the recruiting rule asks of them.
@@ -125,7 +126,7 @@ def solve(
     solved = []
     for scene in read.scenes:
         scene = mended(scene) if mend_recruiting else scene
-        solved.append(_solve_scene(scene, solver, values or {}, say))
+        solved.append(_solve_scene(scene, solver, options or {}, say))
     say(f"writing {output}")
     usd.write(read, [result for each in solved for result in each.results], output)
     if compose is not None:
@@ -146,11 +147,11 @@ class _Solved:
 
 
 def _solve_scene(
-    scene: Scene, solver: str | None, values: Mapping[str, object], say: Say
+    scene: Scene, solver: str | None, options: Mapping[str, object], say: Say
 ) -> _Solved:
     from usdmotion.usd import Result
 
-    chosen = _configured(scene.edits, solver, values)
+    chosen = _configured(scene.edits, solver, options)
     problem = Problem.of(scene)
     names = ", ".join(edit.path for edit in scene.edits)
     say(f"solving {names}" if _is_compiled(chosen) else "compiling the solver, once: up to 10 s")
@@ -160,7 +161,7 @@ def _solve_scene(
     _check(chosen, problem, solution)
     rows = dict(zip(scene.constraints, judge(scene, problem, solution), strict=True))
     frames, iterations = problem.cast.frame_count, int(solution.iterations.sum())
-    settings = {each.name: getattr(chosen, each.name) for each in options(type(chosen))}
+    settings = {each.name: getattr(chosen, each.name) for each in options_of(type(chosen))}
 
     def report(edit: Edit) -> EditReport:
         own: Iterable[ConstraintReport] = (rows[each] for each in edit.constraints)
@@ -175,7 +176,7 @@ def _solve_scene(
     return _Solved(tuple(map(report, scene.edits)), tuple(map(result, scene.edits)), tuple(notes))
 
 
-def _configured(edits: Sequence[Edit], solver: str | None, values: Mapping[str, object]) -> Solver:
+def _configured(edits: Sequence[Edit], solver: str | None, options: Mapping[str, object]) -> Solver:
     """Return the one solver of a scene with its options."""
     name = solver or edits[0].solver
     # What an edit carries are options of the solver that it names, and of no other.
@@ -187,7 +188,7 @@ def _configured(edits: Sequence[Edit], solver: str | None, values: Mapping[str, 
                 f"<{first.path}> and <{edit.path}> are solved together but ask for different "
                 "solvers or options; make them equal, or name one of them with --edit"
             )
-    return configured(host().solver(name), carried[first.path] | dict(values))
+    return configured(host().solver(name), carried[first.path] | dict(options))
 
 
 def _check(solver: Solver, problem: Problem, solution: Solution) -> None:
