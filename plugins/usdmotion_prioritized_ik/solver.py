@@ -21,7 +21,7 @@ class PrioritizedIK:
         60, "Most iterations on one frame before its finish.", minimum=1, maximum=10000
     )
     finish: int = option(
-        30, "Most iterations of each part of the finish, which has one for every level.", minimum=0
+        100, "Most iterations of each part of the finish, which has one for every level.", minimum=0
     )
     posture: float = option(
         0.5, "How fast joints return to their input angles, per iteration.", minimum=0, maximum=1
@@ -33,7 +33,7 @@ class PrioritizedIK:
     curvature: float = option(
         0.3, "What the squared damping grows by per metre of error [m].", minimum=0
     )
-    rank: float = option(1e-3, "Shortest independent row of a Jacobian [m].", minimum=1e-9)
+    rank: float = option(3e-4, "Shortest independent row of a Jacobian [m].", minimum=1e-9)
     turn_limit: float = option(0.3, "Largest turn of a joint in one iteration [rad].", minimum=1e-3)
     reach_limit: float = option(
         0.3, "Largest error that one iteration makes up for [m or rad].", minimum=1e-3

@@ -8,9 +8,9 @@ from usdmotion.constraints import Goal, PositionConstraint
 from usdmotion.demos.gait import walk
 from usdmotion.demos.walker import SKELETON, feet, seconds, token, write_walk
 
-TARGET = np.array((0.72, 0.95, 4.70))
+TARGET = np.array((0.70, 0.80, 4.25))
 """Where the left wrist is to be [m]: beside the path, lower than the shoulder, an arm away."""
-FRAMES = (56.0, 70.0, 82.0, 96.0)
+FRAMES = (56.0, 72.0, 80.0, 96.0)
 """It leaves its trajectory, is there, leaves, is back: 40 frames, as in the paper."""
 
 

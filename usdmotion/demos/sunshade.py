@@ -5,15 +5,20 @@ from pathlib import Path
 
 import numpy as np
 
+from usdmotion.arrays import Floats
 from usdmotion.constraints import Goal, PositionConstraint
 from usdmotion.demos.gait import Walk, walk
 from usdmotion.demos.walker import SKELETON, seconds, token, write_walk
 from usdmotion.kernels import from_vector, multiply
 from usdmotion.motion import Motion
 
-ABOVE_EYES = np.array((-0.05, 0.13, 0.14))
+ABOVE_EYES = np.array((-0.15, 0.10, 0.12))
 """Where the right wrist is to be in the frame of the head [m]."""
-FRAMES = (25.0, 49.0, 109.0, 133.0)
+IN_FRONT = np.array((-0.30, -0.25, 0.36))
+"""Where it passes on its way up and down, around the shoulder [m]."""
+FRAMES = (33.0, 51.0, 97.0, 115.0)
+UP = (19.0, 35.0, 37.0, 51.0)
+DOWN = (97.0, 111.0, 113.0, 129.0)
 TURN = 0.7
 """How far the head turns to each side [rad]."""
 ARM = ("RightShoulder", "RightArm", "RightForeArm", "RightHand")
@@ -22,19 +27,21 @@ ARM = ("RightShoulder", "RightArm", "RightForeArm", "RightHand")
 def build(output: Path) -> None:
     """Write the stage."""
     walking = looking_around(walk())
-    head = token(walking, "Head")
+    head = (SKELETON, token(walking, "Head"))
+
+    def goal(name: str, point: Floats, frames: tuple[float, ...]) -> Goal:
+        times = tuple(map(seconds, frames))
+        return Goal(path=name, translation=point, joint=head, times=times)
+
     hand = PositionConstraint(
         path="RightWrist",
         skeleton=SKELETON,
         joint=token(walking, "RightHand"),
         recruits=tuple(token(walking, name) for name in ARM),
         goals=(
-            Goal(
-                path="AboveEyes",
-                translation=ABOVE_EYES,
-                joint=(SKELETON, head),
-                times=tuple(map(seconds, FRAMES)),
-            ),
+            goal("Up", IN_FRONT, UP),
+            goal("AboveEyes", ABOVE_EYES, FRAMES),
+            goal("Down", IN_FRONT, DOWN),
         ),
     )
     write_walk(output, walking, "Sunshade", [hand])

@@ -1,0 +1,55 @@
+"""What the input already does costs it nothing."""
+
+import numpy as np
+
+from usdmotion import demos
+from usdmotion.constraints import OrientationConstraint, PositionConstraint
+from usdmotion.demos.gait import walk
+from usdmotion.demos.walker import SKELETON, feet, token, write_walk
+
+
+def assert_is_the_input(solved):
+    apart = solved.after.world[:, :, 3, :3] - solved.before.world[:, :, 3, :3]
+    assert solved.millimetres(apart) <= 0.1
+    assert max(map(solved.turned, solved.before.joints)) <= 0.05
+
+
+def test_constraints_that_the_walk_meets_give_the_walk_back(tmp_path, solve):
+    walking = walk()
+    wrist = PositionConstraint(
+        path="Wrist", skeleton=SKELETON, joint=token(walking, "LeftHand"), priority=2
+    )
+    head = OrientationConstraint(
+        path="Head", skeleton=SKELETON, joint=token(walking, "Head"), priority=3
+    )
+    shot = tmp_path / "met.usda"
+    write_walk(shot, walking, "Met", [*feet(walking, priority=1), wrist, head])
+    assert_is_the_input(solve(shot, SKELETON))
+
+
+def test_no_constraints_give_the_walk_back_to_the_bit(tmp_path, solve):
+    shot = tmp_path / "none.usda"
+    write_walk(shot, walk(), "None_", [])
+    solved = solve(shot, SKELETON)
+    assert np.array_equal(solved.after.local, solved.before.local)
+    assert np.array_equal(solved.after.world, solved.before.world)
+
+
+def test_captured_motion_comes_back_where_it_meets_what_is_asked(captured, asked, solve):
+    held = [*captured.clip.feet, captured.clip.wrist, captured.clip.head]
+    constraints = [
+        PositionConstraint(
+            path=f"Kept{rank}",
+            skeleton=captured.skeleton,
+            joint=captured.token(name),
+            priority=1 + rank // 2,
+        )
+        for rank, name in enumerate(held)
+    ]
+    shot = asked(captured.shot, captured.skeleton, constraints)
+    assert_is_the_input(solve(shot, captured.skeleton, frames=captured.frames()))
+
+
+def test_every_demo_is_built(tmp_path):
+    for name in demos.NAMES:
+        assert demos.build(name, tmp_path / "made").is_file()

@@ -1,0 +1,90 @@
+"""2004, figure 3: a walker reaches for a point and keeps his feet where they were."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from usdmotion.constraints import Goal, PositionConstraint
+from usdmotion.demos import gait, reaching
+from usdmotion.demos.walker import SKELETON
+
+
+def knee_speed(take, name):
+    turn = take.turn(name)
+    return np.degrees((turn[:-1].inv() * turn[1:]).magnitude().max())
+
+
+def test_the_feet_stay_where_they_were(demo: Callable[[str], Path], solve):
+    solved = solve(demo("reaching"), SKELETON)
+    walk = gait.walk()
+    for side in ("Left", "Right"):
+        assert solved.moved(f"{side}Foot", walk.heel_point) <= 0.01
+        assert solved.moved(f"{side}ToeBase", walk.toe_point) <= 0.01
+
+
+def test_the_wrist_is_at_its_goal_on_the_plateau(demo, solve):
+    solved = solve(demo("reaching"), SKELETON)
+    _, start, end, _ = reaching.FRAMES
+    there = (solved.after.times >= start) & (solved.after.times <= end)
+    assert there.sum() == end - start + 1
+    assert solved.millimetres((solved.after.point("LeftHand") - reaching.TARGET)[there]) <= 0.01
+
+
+def test_the_rest_of_the_walk_is_the_walk(demo, solve):
+    solved = solve(demo("reaching"), SKELETON)
+    away = (solved.after.times < reaching.FRAMES[0]) | (solved.after.times > reaching.FRAMES[3])
+    apart = solved.after.world[away, :, 3, :3] - solved.before.world[away, :, 3, :3]
+    assert solved.millimetres(apart) <= 0.1
+
+
+def test_joints_that_nobody_recruits_equal_the_input(demo, solve):
+    solved = solve(demo("reaching"), SKELETON)
+    for name in ("Head", "Neck", "RightShoulder", "RightArm", "RightForeArm", "RightHand"):
+        index = solved.before.index(name)
+        assert np.array_equal(solved.after.local[:, index], solved.before.local[:, index])
+
+
+def test_no_knee_pops(demo, solve):
+    solved = solve(demo("reaching"), SKELETON)
+    for knee in ("LeftLeg", "RightLeg"):
+        assert knee_speed(solved.after, knee) <= knee_speed(solved.before, knee) + 2.0
+
+
+def test_the_report_says_so_too(demo, solve):
+    (edit,) = solve(demo("reaching"), SKELETON).report.edits
+    assert edit.frames == 145
+    assert all(each.met for each in edit.constraints)
+    assert [each.priority for each in edit.constraints] == [1, 1, 1, 1, 2]
+    assert max(each.max for each in edit.constraints) < 1e-5
+
+
+def test_captured_feet_stay_while_the_wrist_is_raised(captured, asked, solve):
+    first, last = captured.frames()
+    keys = np.linspace(first + 0.2 * (last - first), first + 0.8 * (last - first), 4)
+    height = captured.take.height
+    raised = Goal(
+        mode="offset",
+        translation=np.array([0.0, 0.08, 0.0]) * height / 1.7,
+        times=tuple((keys - captured.take.times[0] + captured.clip.skip) / 30.0),
+    )
+    feet = [
+        PositionConstraint(
+            path=f"Foot{index}", skeleton=captured.skeleton, joint=captured.token(name)
+        )
+        for index, name in enumerate(captured.clip.feet)
+    ]
+    wrist = PositionConstraint(
+        path="Wrist",
+        skeleton=captured.skeleton,
+        joint=captured.token(captured.clip.wrist),
+        priority=2,
+        goals=(raised,),
+    )
+    shot = asked(captured.shot, captured.skeleton, [*feet, wrist])
+    solved = solve(shot, captured.skeleton, frames=captured.frames())
+    for name in captured.clip.feet:
+        assert solved.moved(name) <= 0.02
+    there = (solved.after.times >= keys[1]) & (solved.after.times <= keys[2])
+    lifted = solved.after.point(captured.clip.wrist) - solved.before.point(captured.clip.wrist)
+    assert solved.millimetres((lifted - raised.translation)[there]) <= 2.0
