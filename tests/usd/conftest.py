@@ -92,6 +92,40 @@ def SkelRoot "{name}" {api if on_root else ""}
 """
 
 
+def edit(inside="", name="Edit", attributes=""):
+    return f'\ndef MotionEdit "{name}" {{\n{attributes}\n{inside}\n}}\n'
+
+
+def hold(inside="", name="Hold", kind="MotionPositionConstraint", attributes=""):
+    return (
+        f'\ndef {kind} "{name}" {{\nuniform token usdmotion:joint = "hip/knee/ankle"\n'
+        f"{attributes}\n{inside}\n}}\n"
+    )
+
+
+def goal(attributes="", name="Goal", translate="(1, 2, 3)"):
+    return f"""
+    def MotionGoal "{name}" {{
+        double3 xformOp:translate = {translate}
+        uniform token[] xformOpOrder = ["xformOp:translate"]
+        {attributes}
+    }}
+    """
+
+
+CENTIMETRES = "timeCodesPerSecond = 24\nmetersPerUnit = 0.01"
+SCALED = """float3 xformOp:scale = (2, 2, 2)
+    uniform token[] xformOpOrder = ["xformOp:scale"]"""
+
+
+MOVING = """
+    double xformOp:rotateY.timeSamples = { 1: 0, 5: 90 }
+    double3 xformOp:translate.timeSamples = { 1: (0, 0, 0), 5: (10, 1, 2) }
+    float3 xformOp:scale.timeSamples = { 1: (2, 2, 2), 5: (3, 3, 3) }
+    uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:rotateY", "xformOp:scale"]
+"""
+
+
 @pytest.fixture(scope="session")
 def text():
     """Return what builds the text of small stages."""
@@ -100,6 +134,8 @@ def text():
         IDENTITY, JOINTS, OFFSETS, REST, BIND = IDENTITY, JOINTS, OFFSETS, REST, BIND
         at, listed, quoted, sampled = map(staticmethod, (at, listed, quoted, sampled))
         poses, man = staticmethod(poses), staticmethod(man)
+        edit, hold, goal = map(staticmethod, (edit, hold, goal))
+        CENTIMETRES, SCALED, MOVING = CENTIMETRES, SCALED, MOVING
 
     return Text
 
