@@ -8,7 +8,7 @@ from pxr import Gf, Usd
 
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Attribute, attributes
-from usdmotion.usd.faults.relations import floats
+from usdmotion.usd.relations import floats
 from usdmotion.usd.shot import Facts
 
 

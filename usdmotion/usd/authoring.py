@@ -11,9 +11,9 @@ from usdmotion.constraints import Constraint
 from usdmotion.errors import SceneError
 from usdmotion.usd.attribute_authoring import author_fields, define, time_code_array
 from usdmotion.usd.clips import own_times
-from usdmotion.usd.edits import source_of
-from usdmotion.usd.faults.relations import edit_of, floats, skeleton_of, value
 from usdmotion.usd.goal_authoring import author_goal
+from usdmotion.usd.origins import source_of
+from usdmotion.usd.relations import edit_of, floats, skeleton_of, value
 from usdmotion.usd.scaling import joint_units
 from usdmotion.usd.shot import Facts
 from usdmotion.usd.stages import read_facts

@@ -3,7 +3,7 @@
 from pxr import Usd, UsdSkel
 
 from usdmotion.errors import SceneError
-from usdmotion.usd.faults.relations import is_a
+from usdmotion.usd.relations import is_a
 
 
 def holder_of(skeleton: Usd.Prim) -> str:

@@ -5,12 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 from pxr import Usd
 
-from usdmotion.arrays import Bools, Floats, Ints
+from usdmotion.arrays import Floats, Ints
 from usdmotion.cast import Character
 from usdmotion.errors import SceneError
 from usdmotion.motion import Motion, Placement, Skeleton
-from usdmotion.usd.clips import clip_joints, own_times, resample, sample
+from usdmotion.usd.clips import own_times, resample, sample
 from usdmotion.usd.faults.skeletons import find_unreadable_animations
+from usdmotion.usd.relations import clip_joints
+from usdmotion.usd.roots import root_joint, travelling
 from usdmotion.usd.scaling import (
     Scaling,
     columns_of,
@@ -21,13 +23,11 @@ from usdmotion.usd.scaling import (
     spread,
 )
 from usdmotion.usd.shot import Facts, Rest, Samples
-from usdmotion.usd.skeletons import Joints, pelvis_of, read_body, read_joints
+from usdmotion.usd.skeletons import Joints, read_body, read_joints
 from usdmotion.usd.stages import refuse
 
 _UNIT = 1e-3
 """How far the square of a quaternion may be from one before it is no rotation any more."""
-_STILL = 1e-3
-"""Share of a usual joint's length below which the travel of a joint is noise."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +81,7 @@ def read_character(
         placement=Placement(
             np.broadcast_to(placed, (frames, 3)), np.broadcast_to(turned, (frames, 4))
         ),
-        root=root_joint(skeleton, joints, own, columns),
+        root=root_joint(skeleton, joints.parents, travelling(own.translations, columns)),
     )
     return Sitting(character, joints, clip, columns, own, solved, scaling)
 
@@ -144,39 +144,3 @@ def _skeleton(joints: Joints, of_space: Floats, motion: Motion) -> Skeleton:
         units = scaling_of(joints, of_space, joints.rest.scales[None]).of_parents[0]
         rest = joints.rest.translations * units[:, None], joints.rest.rotations
     return Skeleton(joints.tokens, joints.parents, *rest)
-
-
-def root_joint(skeleton: Usd.Prim, joints: Joints, own: Samples, columns: Ints) -> int:
-    """Return the joint with six degrees of freedom.
-
-    It is the pelvis where the skeleton names one, else the topmost joint that travels and carries
-    at least half of all joints (a knee that stretches does not), else the top joint.
-
-    Args:
-        skeleton: The Skeleton prim.
-        joints: Its joints.
-        own: The animation at its own times.
-        columns: Which joint of the animation each joint is, -1 for none.
-    """
-    pelvis = pelvis_of(skeleton)
-    if pelvis is not None:
-        return pelvis
-    carried = np.ones(len(joints.tokens))
-    for joint in range(len(carried) - 1, -1, -1):
-        if joints.parents[joint] >= 0:
-            carried[joints.parents[joint]] += carried[joint]
-    depths = np.zeros(len(carried))
-    for joint, parent in enumerate(joints.parents):
-        depths[joint] = depths[parent] + 1 if parent >= 0 else 0
-    fit = _travels(own, columns) & (2 * carried >= len(carried))
-    return int(np.argmin(np.where(fit, depths, depths + len(depths))))
-
-
-def _travels(own: Samples, columns: Ints) -> Bools:
-    """Return which joints of a skeleton change their translation over time."""
-    if len(own.time_codes) < 2:
-        return np.zeros(len(columns), dtype=np.bool_)
-    travel = np.ptp(own.translations, axis=0).max(axis=-1)
-    lengths = np.linalg.norm(own.translations[0], axis=-1)
-    length = np.median(lengths[lengths > 0.0]) if lengths.any() else 0.0
-    return np.where(columns >= 0, (travel > _STILL * length)[columns], False)

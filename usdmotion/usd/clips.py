@@ -7,24 +7,15 @@ from pxr import Usd
 
 from usdmotion.arrays import Floats
 from usdmotion.errors import SceneError
-from usdmotion.usd.faults.relations import joints_of
 from usdmotion.usd.faults.skeletons import find_unreadable_animations
+from usdmotion.usd.relations import ARRAYS, clip_joints
 from usdmotion.usd.shot import Samples
 from usdmotion.usd.stages import refuse
 
-ARRAYS = ("translations", "rotations", "scales")
 _WIDTHS = {"translations": 3, "rotations": 4, "scales": 3}
 _TYPES = {"translations": np.float32, "rotations": np.float32, "scales": np.float16}
 SLACK = 1e-6
 """Time codes closer than this are the same one: offsets of layers round them."""
-
-
-def clip_joints(animation: Usd.Prim | None) -> tuple[str, ...]:
-    """Return the joints that an animation moves; none where USD shows the rest pose instead."""
-    if animation is None:
-        return ()
-    complete = all(animation.GetAttribute(name).HasAuthoredValue() for name in ARRAYS)
-    return joints_of(animation) if complete else ()
 
 
 def own_times(animation: Usd.Prim | None) -> Floats:

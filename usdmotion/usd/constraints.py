@@ -11,8 +11,8 @@ from usdmotion.constraints import Constraint
 from usdmotion.errors import SceneError
 from usdmotion.usd.attributes import collapse, read_fields
 from usdmotion.usd.characters import Sitting
-from usdmotion.usd.faults.relations import edit_of, is_a
 from usdmotion.usd.goals import read_goal, space_skeleton
+from usdmotion.usd.relations import edit_of, is_a
 from usdmotion.usd.shot import Facts
 
 

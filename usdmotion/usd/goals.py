@@ -10,7 +10,7 @@ from usdmotion.errors import SceneError
 from usdmotion.kernels import conjugate, multiply
 from usdmotion.usd.attributes import collapse, read_fields
 from usdmotion.usd.characters import Sitting
-from usdmotion.usd.faults.relations import is_a, target, value
+from usdmotion.usd.relations import is_a, target, value
 from usdmotion.usd.shot import Facts
 from usdmotion.usd.transforms import local_matrices, parent_matrices, rigid, world_matrices
 

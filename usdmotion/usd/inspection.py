@@ -9,12 +9,12 @@ from pxr import Usd, UsdSkel
 
 from usdmotion.constraints import Constraint
 from usdmotion.errors import SceneError
-from usdmotion.usd.characters import root_joint
-from usdmotion.usd.clips import clip_joints, own_times, sample
+from usdmotion.usd.clips import own_times
 from usdmotion.usd.constraints import constraint_prims, goal_prims
-from usdmotion.usd.edits import DEFAULT_SOLVER, options_of, source_of
+from usdmotion.usd.edits import DEFAULT_SOLVER, options_of
 from usdmotion.usd.faults import Fault, find
-from usdmotion.usd.faults.relations import (
+from usdmotion.usd.origins import source_of
+from usdmotion.usd.relations import (
     bound_animation,
     edit_of,
     floats,
@@ -23,8 +23,7 @@ from usdmotion.usd.faults.relations import (
     skeleton_of,
     value,
 )
-from usdmotion.usd.scaling import columns_of
-from usdmotion.usd.skeletons import read_joints
+from usdmotion.usd.roots import root_of
 from usdmotion.usd.stages import composition_faults, open_stage, read_facts
 
 
@@ -158,7 +157,7 @@ def inspect(path: Path, kinds: Sequence[type[Constraint]]) -> Inspection:
         start=facts.start,
         end=facts.end,
         default_prim=facts.default_prim,
-        skeletons=tuple(_skeleton(prim) for prim in prims if is_a(prim, "UsdSkelSkeleton")),
+        skeletons=tuple(_skeleton(prim, edits) for prim in prims if is_a(prim, "UsdSkelSkeleton")),
         clips=tuple(
             _clip(prim, facts.time_codes_per_second)
             for prim in prims
@@ -173,14 +172,14 @@ def inspect(path: Path, kinds: Sequence[type[Constraint]]) -> Inspection:
     )
 
 
-def _skeleton(prim: Usd.Prim) -> SkeletonFacts:
+def _skeleton(prim: Usd.Prim, edits: Sequence[Usd.Prim]) -> SkeletonFacts:
     tokens = joints_of(prim)
     animation = bound_animation(prim)
     skeleton = UsdSkel.Skeleton(prim)
     return SkeletonFacts(
         path=str(prim.GetPath()),
         joint_count=len(tokens),
-        root=_root(prim, animation),
+        root=tokens[root_of(prim, _start(prim, edits))] if tokens else "",
         animation=str(animation.GetPath()) if animation else "",
         rest=len(skeleton.GetRestTransformsAttr().Get() or ()) == len(tokens) > 0,
         bind=len(skeleton.GetBindTransformsAttr().Get() or ()) == len(tokens) > 0,
@@ -190,16 +189,15 @@ def _skeleton(prim: Usd.Prim) -> SkeletonFacts:
     )
 
 
-def _root(prim: Usd.Prim, animation: Usd.Prim | None) -> str:
-    joints = read_joints(prim)
-    if not joints.tokens:
-        return ""
-    try:
-        own = sample(animation, own_times(animation))
-    except SceneError:  # the faults say so
-        return ""
-    columns = columns_of(clip_joints(animation), joints)
-    return joints.tokens[root_joint(prim, joints, own, columns)]
+def _start(skeleton: Usd.Prim, edits: Sequence[Usd.Prim]) -> Usd.Prim | None:
+    """Return the animation from which a solve of a skeleton starts."""
+    for edit in edits:
+        if skeleton_of(edit) == skeleton:
+            try:
+                return source_of(edit, skeleton)
+            except SceneError:  # the faults say so
+                pass
+    return bound_animation(skeleton)
 
 
 def _clip(prim: Usd.Prim, time_codes_per_second: float) -> ClipFacts:

@@ -24,7 +24,7 @@ from usdmotion.usd.edits import (
     request,
     result_path,
 )
-from usdmotion.usd.faults.relations import bound_animation, value
+from usdmotion.usd.relations import bound_animation, value
 from usdmotion.usd.shot import Facts, Shot, Take
 from usdmotion.usd.sources import read_extras
 from usdmotion.usd.stages import composition_faults, open_stage, read_facts, refuse, used_files
@@ -131,6 +131,8 @@ def _edit(
         constraints=read_constraints(each.edit, skeleton, kinds, sittings, time_codes, facts),
         solver=str(value(each.edit, "usdmotion:solver", "")) or DEFAULT_SOLVER,
         options=options_of(each.edit),
+        smoothing=max(float(value(each.edit, "usdmotion:smoothing", 0.0)), 0.0),
+        passes=max(int(value(each.edit, "usdmotion:passes", 1)), 1),
     )
 
 

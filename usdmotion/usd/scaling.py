@@ -7,8 +7,8 @@ from pxr import Usd
 
 from usdmotion.arrays import Floats, Ints
 from usdmotion.errors import SceneError
-from usdmotion.usd.clips import clip_joints, sample
-from usdmotion.usd.faults.relations import bound_animation, is_a
+from usdmotion.usd.clips import sample
+from usdmotion.usd.relations import bound_animation, clip_joints, is_a
 from usdmotion.usd.shot import Facts, Rest, Samples
 from usdmotion.usd.skeletons import Joints, read_joints
 from usdmotion.usd.transforms import even, rigid, world_matrices

@@ -9,12 +9,9 @@ from pxr import Usd, UsdSkel
 from usdmotion.arrays import Floats, Ints
 from usdmotion.errors import SceneError
 from usdmotion.motion import Body
-from usdmotion.usd.faults.relations import joints_of, value
+from usdmotion.usd.relations import joints_of, value
 from usdmotion.usd.shot import Rest
 from usdmotion.usd.transforms import rigid
-
-ROOT_PARTS = ("humanoid_root", "sacroiliac")
-"""The H-Anim parts that are the pelvis, the better one first."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,12 +49,6 @@ def _rest_fault(prim: Usd.Prim, tokens: tuple[str, ...], matrices: Floats) -> st
         except SceneError as error:
             return str(error)
     raise AssertionError("one of the joints has a rest pose that is not rigid")
-
-
-def pelvis_of(prim: Usd.Prim) -> int | None:
-    """Return the joint that a Skeleton says is the pelvis, None where it does not say."""
-    parts = [str(part) for part in value(prim, "usdmotion:parts", ())]
-    return next((parts.index(part) for part in ROOT_PARTS if part in parts), None)
 
 
 def read_body(prim: Usd.Prim, joints: Joints, units: Floats) -> Body:

@@ -2,7 +2,7 @@
 
 from pxr import Sdf, Usd
 
-from usdmotion.usd.clips import ARRAYS
+from usdmotion.usd.relations import ARRAYS
 
 SOURCE = Sdf.Path("/source")
 """The prim of a layer of extras."""

@@ -6,7 +6,7 @@ import numpy as np
 from pxr import Usd
 
 from usdmotion.usd.faults.fault import Fault, error
-from usdmotion.usd.faults.relations import joints_of, mistyped, value
+from usdmotion.usd.relations import joints_of, mistyped, value
 
 PARALLEL_TO_JOINTS = ("parts", "masses", "massCenters", "limitsMin", "limitsMax", "stiffness")
 """Arrays of MotionSkeletonAPI, without their namespace."""

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pxr import Usd
 
 from usdmotion.usd.faults.fault import Fault, error, warning
-from usdmotion.usd.faults.relations import (
+from usdmotion.usd.relations import (
     edit_of,
     is_a,
     joints_of,

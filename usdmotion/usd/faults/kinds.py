@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pxr import Usd
 
 from usdmotion.usd.faults.fault import Fault, error, warning
-from usdmotion.usd.faults.relations import is_a, names_target, value
+from usdmotion.usd.relations import is_a, names_target, value
 
 
 def find_empty_distances(prim: Usd.Prim) -> Iterator[Fault]:

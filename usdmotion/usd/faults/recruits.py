@@ -2,13 +2,13 @@
 
 from collections.abc import Iterator
 
-import numpy as np
 from pxr import Usd, UsdSkel
 
+from usdmotion.errors import SceneError
 from usdmotion.recruiting import Claim, Parents, chain, violations
 from usdmotion.usd.faults.fault import Fault, warning
-from usdmotion.usd.faults.relations import (
-    bound_animation,
+from usdmotion.usd.origins import source_of
+from usdmotion.usd.relations import (
     edit_of,
     is_a,
     joints_of,
@@ -16,6 +16,7 @@ from usdmotion.usd.faults.relations import (
     target,
     value,
 )
+from usdmotion.usd.roots import root_of
 
 
 def find_broken_recruiting(prim: Usd.Prim) -> Iterator[Fault]:
@@ -24,7 +25,7 @@ def find_broken_recruiting(prim: Usd.Prim) -> Iterator[Fault]:
     if skeleton is None or not _is_tree(joints_of(skeleton)):
         return  # other checks say so
     parents = _parents(joints_of(skeleton))
-    root = _root(prim, skeleton, parents)
+    root = _root(prim, skeleton)
     claims = [
         _claim(constraint, skeleton, parents, root)
         for constraint in Usd.PrimRange(prim)
@@ -53,27 +54,12 @@ def _parents(joints: tuple[str, ...]) -> Parents:
     }
 
 
-def _root(edit: Usd.Prim, skeleton: Usd.Prim, parents: Parents) -> str:
-    """Return the joint with six degrees of freedom: pelvis, else first that travels, else top."""
-    joints = tuple(parents)
-    parts = [str(part) for part in value(skeleton, "usdmotion:parts", ())]
-    if "humanoid_root" in parts[: len(joints)]:
-        return joints[parts.index("humanoid_root")]
-    animation = target(edit, "usdmotion:source") or bound_animation(skeleton)
-    travelling = _travelling(animation) if animation else frozenset()
-    by_depth = sorted(joints, key=lambda joint: len(chain(parents, joint)))
-    return next((joint for joint in by_depth if joint in travelling), by_depth[0])
-
-
-def _travelling(animation: Usd.Prim) -> frozenset[str]:
-    """Return the joints whose translation changes over time."""
-    joints = joints_of(animation)
-    attribute = UsdSkel.Animation(animation).GetTranslationsAttr()
-    values = [np.asarray(attribute.Get(time)) for time in attribute.GetTimeSamples()]
-    if not values or any(each.shape != (len(joints), 3) for each in values):
-        return frozenset()
-    moving = (np.ptp(np.stack(values), axis=0) > 0).any(axis=1)
-    return frozenset(joints[index] for index in np.flatnonzero(moving))
+def _root(edit: Usd.Prim, skeleton: Usd.Prim) -> str:
+    try:
+        source = source_of(edit, skeleton)
+    except SceneError:  # other checks say so
+        source = None
+    return joints_of(skeleton)[root_of(skeleton, source)]
 
 
 def _claim(constraint: Usd.Prim, skeleton: Usd.Prim, parents: Parents, root: str) -> Claim:

@@ -6,7 +6,7 @@ import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
 
 from usdmotion.usd.faults.fault import Fault, error, warning
-from usdmotion.usd.faults.relations import (
+from usdmotion.usd.relations import (
     bound_animation,
     joints_of,
     names_target,

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pxr import Usd
 
 from usdmotion.usd.faults.fault import Fault, error
-from usdmotion.usd.faults.relations import is_a
+from usdmotion.usd.relations import is_a
 
 SHAPES = ("UsdGeomPlane", "UsdGeomCube", "UsdGeomSphere", "UsdGeomCylinder", "UsdGeomCapsule")
 ANY = ("",)

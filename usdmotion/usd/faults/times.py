@@ -6,7 +6,7 @@ from itertools import pairwise
 from pxr import Usd
 
 from usdmotion.usd.faults.fault import Fault, error
-from usdmotion.usd.faults.relations import floats, value
+from usdmotion.usd.relations import floats, value
 
 
 def find_wrong_key_times(prim: Usd.Prim) -> Iterator[Fault]:

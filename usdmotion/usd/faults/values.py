@@ -8,7 +8,7 @@ import numpy as np
 from pxr import Sdf, Usd
 
 from usdmotion.usd.faults.fault import Fault, error, warning
-from usdmotion.usd.faults.relations import mistyped, suggestion
+from usdmotion.usd.relations import mistyped, suggestion
 
 NAMESPACE = "usdmotion:"
 OPTION = "usdmotion:option:"

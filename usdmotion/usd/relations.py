@@ -5,6 +5,9 @@ from typing import Any
 
 from pxr import Tf, Usd, UsdSkel
 
+ARRAYS = ("translations", "rotations", "scales")
+"""Without any of these a SkelAnimation shows the rest pose."""
+
 
 def is_a(prim: Usd.Prim, name: str) -> bool:
     """Tell whether a prim is of a TfType, or of one derived from it; an expired prim never is."""
@@ -74,6 +77,14 @@ def skeleton_of(prim: Usd.Prim) -> Usd.Prim | None:
 def joints_of(skeleton: Usd.Prim) -> tuple[str, ...]:
     """Return the joint tokens of a Skeleton, or of a SkelAnimation."""
     return tuple(str(token) for token in value(skeleton, "joints", ()))
+
+
+def clip_joints(animation: Usd.Prim | None) -> tuple[str, ...]:
+    """Return the joints that an animation moves; none where USD shows the rest pose instead."""
+    if animation is None:
+        return ()
+    complete = all(animation.GetAttribute(name).HasAuthoredValue() for name in ARRAYS)
+    return joints_of(animation) if complete else ()
 
 
 def bound_animation(skeleton: Usd.Prim) -> Usd.Prim | None:
