@@ -1,9 +1,11 @@
 """Tasks: what a constraint of any kind is made of, and the table of them that solvers read."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from usdmotion.arrays import Bools, Floats, Ints
 from usdmotion.kernels import Kind, TaskTable
@@ -90,74 +92,113 @@ class Demand:
     """Frames on which the constraint is to be judged, shape (frame_count,)."""
 
 
+Columns = dict[str, NDArray[Any]]
+"""Some columns of a table by their names."""
+_NO_POINT = PointTask(terms=(), target=np.zeros(3))
+_NO_ROTATION = RotationTask(node=-1, goals=(), original=_IDENTITY, blend=np.zeros(()))
+
+
 def tabulate(demands: Sequence[Demand], frame_count: int, node_count: int) -> TaskTable:
     """Return the table of all tasks, in rank order; only the order of the priorities counts."""
-    ranks = {rank: level for level, rank in enumerate(sorted({d.priority for d in demands}))}
     order = sorted(range(len(demands)), key=lambda index: demands[index].priority)
-    rows = [(index, demands[index], task) for index in order for task in demands[index].tasks]
-    owners = [demand for _, demand, _ in rows]
-    tasks = [task for _, _, task in rows]
-    terms = [_terms(task) for task in tasks]
-    goals = [task.goals if isinstance(task, RotationTask) else () for task in tasks]
-    every_term = [term for each in terms for term in each]
-    every_goal = [goal for each in goals for goal in each]
-    axes = [task.axes if isinstance(task, PointTask) else Axes() for task in tasks]
-
-    def over(values: Sequence[Floats | float], *shape: int) -> Floats:
-        return _over_frames(values, frame_count, *shape)
-
-    def turns(name: str, default: Floats) -> list[Floats]:
-        return [getattr(task, name, default) for task in tasks]
-
-    nothing = np.zeros(3)
+    rows = [(index, task) for index in order for task in demands[index].tasks]
+    tasks = [task for _, task in rows]
+    constraint = [index for index, _ in rows]
     return TaskTable(
-        kind=_ints([Kind.ROTATION if isinstance(t, RotationTask) else Kind.POINT for t in tasks]),
-        level=_ints([ranks[demand.priority] for demand in owners]),
-        constraint=_ints([index for index, _, _ in rows]),
-        weight=over([demand.weight for demand in owners]),
-        activity=over([d.activity * (d.weight > 0.0) for d in owners]),
-        recruits=_stack([demand.recruits for demand in owners], node_count, dtype=np.bool_),
-        axes=_stack([np.array(each.held) for each in axes], 3, dtype=np.bool_),
-        axes_node=_ints([each.node for each in axes]),
-        axes_rotation=over([each.rotation for each in axes], 4),
-        first_term=_starts(terms),
-        term_node=_ints([term.node for term in every_term]),
-        term_point=over([term.point for term in every_term], 3),
-        term_coefficient=over([term.coefficient for term in every_term]),
-        target=over(turns("target", nothing), 3),
-        offset=_stack(turns("offset", _IDENTITY), 4),
-        free_axis=_stack(turns("free_axis", nothing), 3),
-        first_goal=_starts(goals),
-        goal_node=_ints([goal.node for goal in every_goal]),
-        goal_rotation=over([goal.rotation for goal in every_goal], 4),
-        goal_weight=over([goal.weight for goal in every_goal]),
-        original=over(turns("original", _IDENTITY), 4),
-        blend=over(turns("blend", np.zeros(frame_count))),
+        kind=_ints(Kind.POINT if isinstance(task, PointTask) else Kind.ROTATION for task in tasks),
+        constraint=_ints(constraint),
+        **_shared_columns(demands, constraint, frame_count, node_count),
+        **_point_columns(tasks, frame_count),
+        **_term_columns([_terms(task) for task in tasks], frame_count),
+        **_rotation_columns(tasks, frame_count),
+        **_goal_columns([_goals(task) for task in tasks], frame_count),
     )
 
 
+def _shared_columns(
+    demands: Sequence[Demand], constraint: Sequence[int], frame_count: int, node_count: int
+) -> Columns:
+    """Return what the tasks of a constraint have in common."""
+    ranks = sorted({demand.priority for demand in demands})
+    owners = [demands[index] for index in constraint]
+    activities = [owner.activity * (owner.weight > 0.0) for owner in owners]
+    return {
+        "level": _ints(ranks.index(owner.priority) for owner in owners),
+        "weight": _over_frames([owner.weight for owner in owners], frame_count),
+        "activity": _over_frames(activities, frame_count),
+        "recruits": _stack([owner.recruits for owner in owners], node_count, np.bool_),
+    }
+
+
+def _point_columns(tasks: Sequence[Task], frame_count: int) -> Columns:
+    points = [task if isinstance(task, PointTask) else _NO_POINT for task in tasks]
+    axes = [point.axes for point in points]
+    return {
+        "target": _over_frames([point.target for point in points], frame_count, 3),
+        "axes": _stack([np.array(each.held) for each in axes], 3, np.bool_),
+        "axes_node": _ints(each.node for each in axes),
+        "axes_rotation": _over_frames([each.rotation for each in axes], frame_count, 4),
+    }
+
+
+def _rotation_columns(tasks: Sequence[Task], frame_count: int) -> Columns:
+    turns = [task if isinstance(task, RotationTask) else _NO_ROTATION for task in tasks]
+    return {
+        "offset": _stack([turn.offset for turn in turns], 4, np.float64),
+        "free_axis": _stack([turn.free_axis for turn in turns], 3, np.float64),
+        "original": _over_frames([turn.original for turn in turns], frame_count, 4),
+        "blend": _over_frames([turn.blend for turn in turns], frame_count),
+    }
+
+
+def _term_columns(groups: Sequence[Sequence[Term]], frame_count: int) -> Columns:
+    terms = [term for group in groups for term in group]
+    return {
+        "first_term": _starts(groups),
+        "term_node": _ints(term.node for term in terms),
+        "term_point": _over_frames([term.point for term in terms], frame_count, 3),
+        "term_coefficient": _over_frames([term.coefficient for term in terms], frame_count),
+    }
+
+
+def _goal_columns(groups: Sequence[Sequence[TurnGoal]], frame_count: int) -> Columns:
+    goals = [goal for group in groups for goal in group]
+    return {
+        "first_goal": _starts(groups),
+        "goal_node": _ints(goal.node for goal in goals),
+        "goal_rotation": _over_frames([goal.rotation for goal in goals], frame_count, 4),
+        "goal_weight": _over_frames([goal.weight for goal in goals], frame_count),
+    }
+
+
 def _terms(task: Task) -> tuple[Term, ...]:
-    if isinstance(task, PointTask):
-        return task.terms
-    return (Term(task.node, np.zeros(3)),)
+    return task.terms if isinstance(task, PointTask) else (Term(task.node, np.zeros(3)),)
 
 
-def _ints(values: Sequence[int]) -> Ints:
-    return np.array(values, dtype=np.int64)
+def _goals(task: Task) -> tuple[TurnGoal, ...]:
+    return task.goals if isinstance(task, RotationTask) else ()
+
+
+def _ints(values: Iterable[int]) -> Ints:
+    return np.array(list(values), dtype=np.int64)
 
 
 def _starts(groups: Sequence[Sequence[object]]) -> Ints:
     return np.cumsum([0, *(len(group) for group in groups)], dtype=np.int64)
 
 
-def _stack(values: Sequence[Floats | Bools], length: int, dtype: type = np.float64) -> Floats:
-    stacked = np.empty((len(values), length), dtype=dtype)
-    for row, value in zip(stacked, values, strict=True):
-        row[:] = value
+def _stack(
+    values: Sequence[Floats | Bools], length: int, dtype: type[np.generic]
+) -> NDArray[np.generic]:
+    """Return arrays of one length, one a row; none make a table of no rows."""
+    stacked: NDArray[np.generic] = np.empty((len(values), length), dtype=dtype)
+    for row, value in enumerate(values):
+        stacked[row] = value
     return stacked
 
 
 def _over_frames(values: Sequence[Floats | float], frame_count: int, *shape: int) -> Floats:
+    """Return arrays one a column, the same on every frame where they have only one."""
     stacked = np.empty((frame_count, len(values), *shape))
     for index, value in enumerate(values):
         stacked[:, index] = value
