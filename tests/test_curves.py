@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from usdmotion.curves import ease
+from usdmotion.curves import ease, kochanek_bartels, time_curve
 
 KEYS = (1.0, 2.0, 5.0, 7.0)
 times = st.floats(-20.0, 20.0)
@@ -60,3 +60,60 @@ def test_it_is_smooth_at_its_keys() -> None:
     step = 1e-5
     for key in KEYS:
         assert abs(at(key + step) - at(key - step)) < 1e-8
+
+
+KNOTS = np.array([0.0, 0.4, 1.5, 2.0, 3.1])
+POINTS = np.random.default_rng(4).normal(size=(5, 3))
+PLAIN = np.zeros((5, 3))
+ENDS = (np.array([1.0, 0.0, 0.0]), np.array([0.0, 2.0, 0.0]))
+
+
+def test_the_spline_passes_its_points_whatever_its_shape() -> None:
+    shape = np.random.default_rng(5).uniform(-1, 1, size=(5, 3))
+    assert np.allclose(kochanek_bartels(KNOTS, KNOTS, POINTS, shape, ENDS), POINTS, atol=1e-12)
+
+
+def test_its_velocity_is_continuous_and_as_asked_for_at_the_ends() -> None:
+    u = np.linspace(KNOTS[0], KNOTS[-1], 31001)
+    curve = kochanek_bartels(u, KNOTS, POINTS, PLAIN, ENDS)
+    velocity = np.diff(curve, axis=0) / np.diff(u)[:, None]
+    assert np.abs(np.diff(velocity, axis=0)).max() < 0.02
+    assert np.allclose(velocity[0], ENDS[0], atol=0.01)
+    assert np.allclose(velocity[-1], ENDS[1], atol=0.01)
+
+
+def test_tension_1_stops_at_a_point() -> None:
+    shape = np.array(PLAIN)
+    shape[2, 0] = 1.0
+    around = KNOTS[2] + np.array([-1e-5, 0.0, 1e-5])
+    velocity = np.diff(kochanek_bartels(around, KNOTS, POINTS, shape, ENDS), axis=0) / 1e-5
+    assert np.abs(velocity).max() < 1e-3
+
+
+def test_points_on_a_line_at_even_speed_make_a_line() -> None:
+    line = KNOTS[:, None] * np.array([1.0, -2.0, 0.5])
+    speed = np.array([1.0, -2.0, 0.5])
+    u = np.linspace(0.0, 3.1, 100)
+    assert np.allclose(kochanek_bartels(u, KNOTS, line, PLAIN, (speed, speed)), u[:, None] * speed)
+
+
+def test_with_even_knots_it_is_the_spline_of_the_paper() -> None:
+    """Kochanek and Bartels 1984, equations 8 and 9, at one inner point."""
+    tension, continuity, bias = 0.3, -0.4, 0.6
+    shape = np.array(PLAIN)
+    shape[2] = tension, continuity, bias
+    even = np.arange(5.0)
+    back, forth = POINTS[2] - POINTS[1], POINTS[3] - POINTS[2]
+    leaving = (1 - tension) * (
+        (1 + continuity) * (1 + bias) / 2 * back + (1 - continuity) * (1 - bias) / 2 * forth
+    )
+    after = kochanek_bartels(np.array([2.0, 2.0 + 1e-7]), even, POINTS, shape, ENDS)
+    assert np.allclose(np.diff(after, axis=0)[0] / 1e-7, leaving, atol=1e-5)
+
+
+def test_the_time_curve_rests_between_key_and_release() -> None:
+    keys, releases = np.array([1.0, 2.0, 5.0, 6.0]), np.array([1.0, 3.5, 5.0, 6.0])
+    times = np.array([1.0, 1.5, 2.0, 3.0, 3.5, 4.0, 5.0, 6.0])
+    u, knots = time_curve(times, keys, releases)
+    assert np.allclose(knots, [0.0, 1.0, 2.5, 3.5])
+    assert np.allclose(u, [0.0, 0.5, 1.0, 1.0, 1.0, 1.5, 2.5, 3.5])

@@ -30,3 +30,73 @@ def _rise(times: Floats, start: float, end: float) -> Floats:
     s = np.clip((times - start) / max(end - start, slack), 0.0, 1.0)
     s = np.where(times >= end - slack, 1.0, s)
     return np.asarray(3.0 * s**2 - 2.0 * s**3)
+
+
+def time_curve(times: Floats, keys: Floats, releases: Floats) -> tuple[Floats, Floats]:
+    """Return T(t), and the parameter u of each control point (2004, section 4.2).
+
+    T rises with slope 1 from key to key and rests between a key and its release, so that u is in
+    seconds and the speed along the curve is that of the clock.
+
+    Args:
+        times: Where T is wanted [s], shape (frame_count,), inside the keys.
+        keys: When each control point is reached [s], ascending, shape (point_count,).
+        releases: When it is left again [s], none before its key, shape (point_count,).
+    """
+    knots = np.concatenate([[0.0], np.cumsum(keys[1:] - releases[:-1])])
+    corners = np.stack([keys, releases], axis=1).ravel()
+    return np.interp(times, corners, np.repeat(knots, 2)), knots
+
+
+def kochanek_bartels(
+    u: Floats,
+    knots: Floats,
+    points: Floats,
+    shape: Floats,
+    velocities: tuple[Floats, Floats],
+) -> Floats:
+    """Return S(u), a spline through points (Kochanek and Bartels 1984) over uneven knots.
+
+    Differences of neighbouring points become divided differences, weighted as in the parabola
+    through three points: with tension, continuity and bias 0 the velocity is continuous however
+    uneven the knots are, and with even knots this is the spline of the paper.
+
+    Args:
+        u: Parameters, shape (frame_count,).
+        knots: Parameter of each control point, ascending, shape (point_count,).
+        points: Control points, shape (point_count, 3).
+        shape: Tension, continuity and bias of each, shape (point_count, 3).
+        velocities: Derivative at the first and at the last control point, each of shape (3,).
+
+    Returns:
+        Points of the curve, shape (frame_count, 3).
+    """
+    arriving, leaving = _tangents(knots, points, shape)
+    leaving[0], arriving[-1] = velocities
+    span = np.clip(np.searchsorted(knots, u, side="right") - 1, 0, len(knots) - 2)
+    length = (knots[span + 1] - knots[span])[:, None]
+    s = (u - knots[span])[:, None] / length
+    return np.asarray(
+        (1.0 + s * s * (2.0 * s - 3.0)) * points[span]
+        + s * s * (3.0 - 2.0 * s) * points[span + 1]
+        + s * (1.0 - s) ** 2 * length * leaving[span]
+        + s * s * (s - 1.0) * length * arriving[span + 1]
+    )
+
+
+def _tangents(knots: Floats, points: Floats, shape: Floats) -> tuple[Floats, Floats]:
+    """Return the derivatives with which each point is reached and left; zero at both ends."""
+    arriving, leaving = np.zeros_like(points), np.zeros_like(points)
+    steps = np.diff(knots)[:, None]
+    slopes = np.diff(points, axis=0) / steps
+    before, after = steps[:-1], steps[1:]
+    back = after / (before + after) * slopes[:-1]
+    forth = before / (before + after) * slopes[1:]
+    tension, continuity, bias = np.hsplit(shape[1:-1], 3)
+    arriving[1:-1] = (1.0 - tension) * (
+        (1.0 - continuity) * (1.0 + bias) * back + (1.0 + continuity) * (1.0 - bias) * forth
+    )
+    leaving[1:-1] = (1.0 - tension) * (
+        (1.0 + continuity) * (1.0 + bias) * back + (1.0 - continuity) * (1.0 - bias) * forth
+    )
+    return arriving, leaving

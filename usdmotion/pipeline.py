@@ -23,6 +23,7 @@ from usdmotion.recording import Recording
 from usdmotion.report import ConstraintReport, EditReport, Report, judge
 from usdmotion.resampling import evenly
 from usdmotion.scene import Edit, Scene
+from usdmotion.smoothing import enforced
 from usdmotion.solving import Problem, Solution, Solver
 
 if TYPE_CHECKING:
@@ -156,7 +157,8 @@ def _solve_scene(
     names = ", ".join(edit.path for edit in scene.edits)
     say(f"solving {names}" if _is_compiled(chosen) else "compiling the solver, once: up to 10 s")
     started = perf_counter()
-    solution = chosen.solve(problem)
+    cutoff, passes = _passes(scene.edits)
+    solution = enforced(chosen, problem, cutoff=cutoff, passes=passes)
     seconds = perf_counter() - started
     _check(chosen, problem, solution)
     rows = dict(zip(scene.constraints, judge(scene, problem, solution), strict=True))
@@ -189,6 +191,18 @@ def _configured(edits: Sequence[Edit], solver: str | None, options: Mapping[str,
                 "solvers or options; make them equal, or name one of them with --edit"
             )
     return configured(host().solver(name), carried[first.path] | dict(options))
+
+
+def _passes(edits: Sequence[Edit]) -> tuple[float, int]:
+    """Return the cutoff and the passes of a scene, which its edits share."""
+    first = edits[0]
+    for edit in edits:
+        if (edit.smoothing, edit.passes) != (first.smoothing, first.passes):
+            raise SceneError(
+                f"<{first.path}> and <{edit.path}> are solved together but ask for different "
+                "usdmotion:smoothing or usdmotion:passes; make them equal"
+            )
+    return first.smoothing, first.passes
 
 
 def _check(solver: Solver, problem: Problem, solution: Solution) -> None:

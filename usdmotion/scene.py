@@ -23,6 +23,10 @@ class Edit:
     """Registered name of the solver."""
     options: Mapping[str, object] = field(default_factory=dict)
     """Options of the solver, as authored."""
+    smoothing: float = 0.0
+    """Cutoff of the filter between two passes [Hz]; 0 is off."""
+    passes: int = 1
+    """How often the constraints are enforced; with smoothing at least twice."""
 
 
 @dataclass(frozen=True, eq=False)

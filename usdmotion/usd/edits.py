@@ -160,13 +160,7 @@ def _faults(top: Usd.Prim) -> list[Fault]:
 
 def _refuse_later(edit: Usd.Prim) -> None:
     """Refuse what an edit may ask for and nothing does yet."""
-    asked = {
-        "smoothing": float(value(edit, "usdmotion:smoothing", 0.0)) > 0.0,
-        "passes": int(value(edit, "usdmotion:passes", 1)) > 1,
-        "ground": names_target(edit, "usdmotion:ground"),
-    }
-    for name, wanted in asked.items():
-        if wanted:
-            raise SceneError(
-                f"<{edit.GetPath()}> sets usdmotion:{name}, which this version cannot do; clear it"
-            )
+    if names_target(edit, "usdmotion:ground"):
+        raise SceneError(
+            f"<{edit.GetPath()}> sets usdmotion:ground, which this version cannot do; clear it"
+        )

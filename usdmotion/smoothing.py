@@ -1,0 +1,110 @@
+"""Enforce, filter, enforce again (2004, section 5.2): what a solve has changed becomes smooth."""
+
+from dataclasses import replace
+
+import numpy as np
+from scipy.ndimage import convolve1d
+from scipy.signal import firwin
+
+from usdmotion.arrays import Floats
+from usdmotion.kernels import conjugate, from_vector, multiply, to_vector
+from usdmotion.motion import Motion
+from usdmotion.solving import Problem, Solution, Solver
+
+_TRANSITION = 1.5
+"""Width of the filter, in periods of its cutoff."""
+
+
+def enforced(solver: Solver, problem: Problem, *, cutoff: float, passes: int) -> Solution:
+    """Solve a problem in several passes; the last one enforces.
+
+    After each pass but the last the displacement from the input motion is low-passed, and the next
+    one starts from there, so that what comes back has met its constraints after filtering.
+
+    Args:
+        solver: Solves each pass.
+        problem: What is asked.
+        cutoff: Of the filter between two passes [Hz]; 0 is no filter, and then one pass is enough.
+        passes: How often to enforce; a filter needs two.
+    """
+    solution = solver.solve(problem)
+    if cutoff <= 0.0:
+        return solution
+    given = Motion(problem.cast.times, problem.cast.translations, problem.cast.rotations)
+    for _ in range(max(passes, 2) - 1):
+        found = Motion(given.times, solution.translations, solution.rotations)
+        start = smoothed(given, found, cutoff)
+        cast = replace(problem.cast, translations=start.translations, rotations=start.rotations)
+        again = solver.solve(replace(problem, cast=cast))
+        solution = replace(again, iterations=solution.iterations + again.iterations)
+    return solution
+
+
+def smoothed(before: Motion, after: Motion, cutoff: float) -> Motion:
+    """Return a motion with the displacement from another one low-passed.
+
+    The displacement is the difference of positions, and the rotation vector of before⁻¹ after. It
+    is filtered forwards and backwards alike, by a symmetric window, so that nothing is delayed; at
+    the ends it is continued as it is there.
+
+    Args:
+        before: The motion from which the displacement is taken.
+        after: The same joints at the same times.
+        cutoff: Frequency at which half the amplitude is left [Hz].
+
+    Returns:
+        The motion that is before with the filtered displacement.
+    """
+    moved = after.translations - before.translations
+    turned = _continuous(to_vector(multiply(conjugate(before.rotations), after.rotations)))
+    changed = np.concatenate([moved, turned], axis=-1)
+    if np.any(changed):
+        changed = low_pass(before.times, changed, cutoff)
+    return Motion(
+        before.times,
+        before.translations + changed[..., :3],
+        multiply(before.rotations, from_vector(changed[..., 3:])),
+    )
+
+
+def low_pass(times: Floats, values: Floats, cutoff: float) -> Floats:
+    """Return values over time without what is faster than a frequency.
+
+    Args:
+        times: Ascending [s], shape (frame_count,); uneven samples are filtered on an even grid.
+        values: Shape (frame_count, …).
+        cutoff: Frequency at which half the amplitude is left [Hz].
+    """
+    if len(times) < 3:
+        return values
+    step = float(np.diff(times).min())
+    count = int(np.ceil((times[-1] - times[0]) / step - 1e-6)) + 1
+    even = np.linspace(times[0], times[-1], count)
+    rate = (count - 1) / (times[-1] - times[0])
+    if cutoff >= 0.5 * rate:
+        return values
+    reach = int(np.ceil(_TRANSITION * rate / cutoff))
+    window = firwin(2 * reach + 1, cutoff, fs=rate, window="hamming")
+    flat = values.reshape(len(times), -1)
+    grid = _interpolated(even, times, flat)
+    filtered = convolve1d(grid, window, axis=0, mode="nearest")
+    return np.asarray(_interpolated(times, even, filtered).reshape(values.shape))
+
+
+def _interpolated(wanted: Floats, times: Floats, values: Floats) -> Floats:
+    """Return the columns of values at other times, linearly; exact where the times are the same."""
+    if np.array_equal(wanted, times):
+        return values
+    return np.stack([np.interp(wanted, times, column) for column in values.T], axis=1)
+
+
+def _continuous(vectors: Floats) -> Floats:
+    """Return rotation vectors that do not jump by a whole turn from frame to frame."""
+    vectors = np.array(vectors)
+    for frame in range(1, len(vectors)):
+        here, there = vectors[frame], vectors[frame - 1]
+        angle = np.linalg.norm(here, axis=-1, keepdims=True)
+        axis = np.divide(here, angle, out=np.zeros_like(here), where=angle > 0.0)
+        turns = np.round((np.sum(axis * there, axis=-1, keepdims=True) - angle) / (2.0 * np.pi))
+        vectors[frame] = here + axis * turns * 2.0 * np.pi
+    return vectors
