@@ -26,7 +26,7 @@ def find_jumps(points: Floats, height: float) -> list[str]:
         rings = f", and rings until frame {settled - 1}" if settled > 1 else ""
         farthest = np.linalg.norm(points[1] - points[0], axis=1).max() / height
         away = f"frame 0 jumps by {farthest:.2f} of the height to frame 1, as an added T-pose does"
-        notes.append(f"{away}{rings}: --first {settled} leaves it out")
+        notes.append(f"{away}{rings}: the option skip={settled} leaves it out")
     later = np.flatnonzero(steps[settled:] > usual) + settled + 1
     if len(later):
         frames = "frame " if len(later) == 1 else "frames "

@@ -39,6 +39,10 @@ class BvhReader:
         minimum=0.0,
     )
 
+    skip: int = option(
+        0, "Frames at the start that are left out, such as an added T-pose.", minimum=0
+    )
+
     def read(self, path: Path) -> Recording:
         """Read one file.
 
@@ -52,13 +56,14 @@ class BvhReader:
         poses, metres = take.poses, meaning.metres
         tokens = joint_tokens(joints)
         rest_rotations = np.tile((0.0, 0.0, 0.0, 1.0), (len(joints), 1))
+        kept = slice(min(self.skip, len(take.rows.values) - 1), None)
         return Recording(
             name=valid_name(path.stem),
             skeleton=Skeleton(tokens, poses.parents, poses.offsets * metres, rest_rotations),
             motion=Motion(
-                times=np.arange(len(take.rows.values)) / rate,
-                translations=meaning.translations * metres,
-                rotations=poses.rotations,
+                times=np.arange(len(take.rows.values[kept])) / rate,
+                translations=meaning.translations[kept] * metres,
+                rotations=poses.rotations[kept],
             ),
             frame_rate=rate,
             original_names=tuple(joint.name for joint in joints),

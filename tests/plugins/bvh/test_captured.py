@@ -120,10 +120,10 @@ def test_added_t_poses_are_noticed_and_no_others(mocap: Path) -> None:
 def test_ringing_after_an_added_t_pose_is_said(mocap: Path) -> None:
     said = next(note for note in read_one(mocap / "cmu/daz/135_03.bvh") if "T-pose" in note)
     assert "rings until frame" in said
-    assert "--first 8" in said
+    assert "skip=8 " in said
     said = next(note for note in read_one(mocap / "cmu/mb/12_01.bvh") if "T-pose" in note)
     assert "rings" not in said
-    assert "--first 1 " in said
+    assert "skip=1 " in said
 
 
 def test_flips_of_single_frames_are_said(mocap: Path) -> None:

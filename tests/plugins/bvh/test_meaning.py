@@ -199,10 +199,23 @@ def test_a_jump_from_frame_0_is_said_and_kept(tmp_path: Path) -> None:
     walk[0] += (0.0, 0.0, 200.0)
     recording = read(tmp_path, Person().file(np.zeros(3), walk))
     assert recording.motion.frame_count == 60
-    assert any("--first 1 leaves it out" in note for note in recording.notes)
+    assert any("skip=1 leaves it out" in note for note in recording.notes)
 
 
 def test_a_steady_run_is_not_taken_for_jumps(tmp_path: Path) -> None:
     run = standing(60) + np.linspace(0.0, 1000.0, 60)[:, None] * (0.0, 0.0, 1.0)
     recording = read(tmp_path, Person().file(np.zeros(3), run))
     assert not any("jumps" in note for note in recording.notes)
+
+
+def test_frames_at_the_start_are_left_out_on_request(tmp_path: Path) -> None:
+    path = tmp_path / "posed.bvh"
+    path.write_text(
+        "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n"
+        "End Site\n{\nOFFSET 0 10 0\n}\n}\nMOTION\nFrames: 4\nFrame Time: 0.05\n"
+        "0 90 0\n1 90 0\n2 90 0\n3 90 0\n"
+    )
+    whole, rest = BvhReader(unit=0.01).read(path), BvhReader(unit=0.01, skip=2).read(path)
+    assert rest.motion.times.tolist() == whole.motion.times[:2].tolist()
+    assert np.array_equal(rest.motion.translations, whole.motion.translations[2:])
+    assert BvhReader(skip=99).read(path).motion.frame_count == 1
