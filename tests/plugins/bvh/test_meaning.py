@@ -86,6 +86,7 @@ def test_the_reader_keeps_the_contract() -> None:
         "root",
         "up",
         "root_scale",
+        "skip",
     ]
 
 
