@@ -113,6 +113,20 @@ def test_it_tells_what_it_is_doing(arm_shot: ArmShot, tmp_path: Path) -> None:
     assert EDIT in told[1] or "compiling" in told[1]
 
 
+def test_what_is_probably_not_meant_goes_with_the_answer(arm_shot: ArmShot, tmp_path: Path) -> None:
+    shot = arm_shot()
+    assert solve(shot, tmp_path / "out.usda").notes == ()
+    stage = Usd.Stage.Open(str(shot))
+    stage.GetPrimAtPath("/Arm/Animation").RemoveProperty("scales")
+    low = stage.DefinePrim(f"{EDIT}/Low", "MotionPositionConstraint")
+    low.GetAttribute("usdmotion:joint").Set("base/shoulder/elbow")
+    low.GetAttribute("usdmotion:priority").Set(2)
+    stage.GetRootLayer().Save()
+    rests, rule = solve(shot, tmp_path / "out.usda").notes
+    assert rests.startswith("</Arm/Animation> has no scales, so USD shows the rest pose")
+    assert rule.startswith(f"<{EDIT}/Low> moves joints above <{EDIT}/Wrist>")
+
+
 @pytest.mark.parametrize("verb", [inspect, lambda path: solve(path, path.with_suffix(".out"))])
 def test_a_file_that_is_not_there_is_named(verb: Callable[[Path], object], tmp_path: Path) -> None:
     with pytest.raises(FileError, match=r"absent\.usda: there is no such file"):

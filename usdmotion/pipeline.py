@@ -134,7 +134,7 @@ def solve(
         usd.compose(read, output, compose)
     return Report(
         tuple(edit for each in solved for edit in each.edits),
-        tuple(note for each in solved for note in each.notes),
+        (*read.warnings, *(note for each in solved for note in each.notes)),
     )
 
 

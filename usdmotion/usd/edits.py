@@ -8,7 +8,7 @@ from pxr import Usd
 from usdmotion.arrays import Floats
 from usdmotion.errors import SceneError
 from usdmotion.usd.clips import own_times
-from usdmotion.usd.faults import CHECKS, Fault
+from usdmotion.usd.concerns import concerns
 from usdmotion.usd.origins import depends_on, source_of
 from usdmotion.usd.relations import (
     bound_animation,
@@ -25,8 +25,6 @@ from usdmotion.usd.times import solved_times
 DEFAULT_SOLVER = "prioritized_ik"
 """What solves an edit that names no solver."""
 _OPTION = "usdmotion:option:"
-_COSTLY = ("Animation", "Recruiting")
-"""Checks that read whole animations: reading does that itself, and breaking the rule is allowed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,10 +77,10 @@ def request(edit: Usd.Prim, frames: tuple[float, float] | None, facts: Facts) ->
     Raises:
         SceneError: It cannot be solved as it is.
     """
-    refuse(_faults(edit))
+    refuse(concerns(edit))
     _refuse_later(edit)
     skeleton = skeleton_of(edit)
-    refuse(_faults(skeleton))
+    refuse(concerns(skeleton))
     source = source_of(edit, skeleton)
     span = floats(value(edit, "usdmotion:range", ()))
     times = solved_times(
@@ -144,18 +142,6 @@ def animation_to_bind(edit: Usd.Prim, skeleton: Usd.Prim) -> str:
     if bound is not None and depends_on(bound, edit):
         return str(bound.GetPath())
     return result_path(edit)
-
-
-def _faults(top: Usd.Prim) -> list[Fault]:
-    """List what is wrong with a prim and everything below it that could keep it from solving."""
-    prims = Usd.PrimRange(top) if is_a(top, "UsdMotionEdit") else [top]
-    return [
-        fault
-        for prim in prims
-        for check in CHECKS
-        if check.name not in _COSTLY and check.concerns(prim)
-        for fault in check.find(prim)
-    ]
 
 
 def _refuse_later(edit: Usd.Prim) -> None:

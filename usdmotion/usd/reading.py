@@ -13,6 +13,7 @@ from usdmotion.scene import Edit, Scene
 from usdmotion.usd.bindings import holder_of
 from usdmotion.usd.characters import Sitting, read_character
 from usdmotion.usd.clips import merged
+from usdmotion.usd.concerns import warnings
 from usdmotion.usd.constraints import read_constraints, skeletons_of_goals
 from usdmotion.usd.edits import (
     DEFAULT_SOLVER,
@@ -66,6 +67,7 @@ def read(
         layers=used_files(stage),
         scenes=tuple(scene for scene, _ in read_groups),
         takes=tuple(take for _, takes in read_groups for take in takes),
+        warnings=warnings((each.edit for each in requests), _players(requests)),
     )
 
 

@@ -99,6 +99,8 @@ class Shot:
     """Each is solvable on its own."""
     takes: tuple[Take, ...]
     """One for each edit of the scenes."""
+    warnings: tuple[str, ...] = ()
+    """One sentence about each thing that can be solved but is probably not meant."""
 
     def scene(self, edit: str) -> Scene:
         """Return the scene that an edit is in."""

@@ -21,6 +21,7 @@ from usdmotion.usd.faults.kinds import (
 )
 from usdmotion.usd.faults.recruits import find_broken_recruiting
 from usdmotion.usd.faults.skeletons import (
+    find_resting_animations,
     find_unreadable_animations,
     find_unreadable_skeletons,
     find_unsolvable_edits,
@@ -55,6 +56,7 @@ CHECKS = (
     Check("Skeleton", SKELETON, find_unreadable_skeletons),
     Check("Binding", SKELETON, find_unusable_bindings),
     Check("Animation", ANIMATION, find_unreadable_animations),
+    Check("RestPose", ANIMATION, find_resting_animations),
     Check("MisappliedAPI", BODY + RESULT, find_misapplied_apis),
     Check("MissingAPI", SKELETON + ANIMATION, find_missing_apis),
     Check("Values", OURS + BODY + RESULT, find_wrong_values),

@@ -7,6 +7,7 @@ from pxr import Usd, UsdGeom, UsdSkel
 
 from usdmotion.usd.faults.fault import Fault, error, warning
 from usdmotion.usd.relations import (
+    ARRAYS,
     bound_animation,
     joints_of,
     names_target,
@@ -78,18 +79,27 @@ def find_unsolvable_edits(prim: Usd.Prim) -> Iterator[Fault]:
         )
 
 
-def find_unreadable_animations(prim: Usd.Prim) -> Iterator[Fault]:
+def find_resting_animations(prim: Usd.Prim) -> Iterator[Fault]:
     """Find animations of which USD shows nothing but the rest pose."""
+    missing = [name for name in ARRAYS if not prim.GetAttribute(name).HasAuthoredValue()]
+    if missing:
+        yield warning(
+            prim,
+            "MissingTransforms",
+            f"has no {' and no '.join(missing)}, so USD shows the rest pose; author all three",
+        )
+
+
+def find_unreadable_animations(prim: Usd.Prim) -> Iterator[Fault]:
+    """Find animations without joints, or whose transforms are not one for each joint."""
     joints = joints_of(prim)
     if not joints:
         yield error(prim, "NoJoints", "has no joints; set its joints attribute")
         return
     yield from _find_duplicates(prim, joints)
-    missing = []
-    for name in ("translations", "rotations", "scales"):
+    for name in ARRAYS:
         attribute = prim.GetAttribute(name)
         if not attribute.HasAuthoredValue():
-            missing.append(name)
             continue
         for time in attribute.GetTimeSamples() or [Usd.TimeCode.Default()]:
             count = len(attribute.Get(time) or ())
@@ -101,12 +111,6 @@ def find_unreadable_animations(prim: Usd.Prim) -> Iterator[Fault]:
                     "each at every time",
                 )
                 break
-    if missing:
-        yield warning(
-            prim,
-            "MissingTransforms",
-            f"has no {' and no '.join(missing)}, so USD shows the rest pose; author all three",
-        )
 
 
 def _time(time: Usd.TimeCode | float) -> str:
