@@ -72,8 +72,75 @@ def naive_clip(path: Path) -> NaiveClip:
             joints[stack[-1]].offset = tuple(map(float, words[1:4]))
         elif words[:1] == ["CHANNELS"]:
             joints[stack[-1]].channels = words[2:]
+    # One of the files has numbers without a space between them: 0.0-7.5.
+    body = re.sub(r"(?<=\d)-", " -", body)
     rows = [line.split() for line in body.splitlines() if line.strip() and "Frame" not in line]
     return NaiveClip(joints, [list(map(float, row)) for row in rows])
+
+
+CMU = 0.0254 / 0.45
+GOOD = {
+    # folder or file: metres per unit, up, root relative to OFFSET
+    "cmu/mb/*": (CMU, "Y", False),
+    "cmu/daz/*": (0.01, "Y", False),
+    "cmu/daz_hands/*": (0.01, "Y", False),
+    "cmu/iclone/*": (0.01, "Y", True),
+    "other/fair_*": (0.0254, "Z", False),
+    "other/rokoko*": (0.01, "Y", False),
+    "other/mocapbank*": (0.01, "Y", False),
+    "other/mixamorig*": (0.01, "Y", False),
+    "odd/bvh/frames_250*": (CMU, "Z", False),
+    "odd/bvh/makehuman*": (0.1, "Z", False),
+    "odd/bvh/mixed_orders*": (0.0254, "Z", False),
+    "odd/bvh/xsens*": (0.01, "Y", False),
+    "odd/bvh/rotation_first*": (0.01, "Y", False),
+    "odd/bvh/full_precision*": (0.01, "Y", False),
+    "odd/bvh/reproductions/animated*": (0.01, "Y", False),
+    "odd/bvh/reproductions/ganimator*": (0.01, "Y", False),
+}
+
+
+@dataclass
+class Family:
+    """Captured clips that were all written by one program."""
+
+    paths: list[Path]
+    metres: float
+    """Metres per unit."""
+    up: str
+    relative: bool
+    """Whether the root's positions are added to its OFFSET."""
+
+
+@pytest.fixture(scope="session")
+def families(mocap: Path) -> list[Family]:
+    """Return every captured clip that is read without a question."""
+    return [Family(sorted(mocap.glob(f"{pattern}.bvh")), *facts) for pattern, facts in GOOD.items()]
+
+
+@pytest.fixture(params=range(len(GOOD)), ids=list(GOOD))
+def family(request: pytest.FixtureRequest, families: list[Family]) -> Family:
+    """Return one family of captured clips."""
+    return families[request.param]
+
+
+@pytest.fixture(scope="session")
+def text_places() -> Callable[..., tuple[int, list[Floats]]]:
+    """Return what says how many frames a text has, and where its joints are on some of them [m]."""
+
+    def places(
+        path: Path, metres: float, *, relative: bool, frames: Iterable[int] | None = None
+    ) -> tuple[int, list[Floats]]:
+        clip = naive_clip(path)
+        named = [bool(joint.name) for joint in clip.joints]
+        count = len(clip.rows)
+        found = [
+            metres * np.array(clip.positions(frame, relative))[named]
+            for frame in (range(count) if frames is None else frames)
+        ]
+        return count, found
+
+    return places
 
 
 @pytest.fixture(scope="session")

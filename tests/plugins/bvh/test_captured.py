@@ -10,26 +10,6 @@ from usdmotion_bvh import BvhReader
 from usdmotion.errors import FileError
 from usdmotion.kernels import forward
 
-CMU = 0.0254 / 0.45
-GOOD = {
-    # folder or file: metres per unit, up, root relative to OFFSET
-    "cmu/mb/*": (CMU, "Y", False),
-    "cmu/daz/*": (0.01, "Y", False),
-    "cmu/daz_hands/*": (0.01, "Y", False),
-    "cmu/iclone/*": (0.01, "Y", True),
-    "other/fair_*": (0.0254, "Z", False),
-    "other/rokoko*": (0.01, "Y", False),
-    "other/mocapbank*": (0.01, "Y", False),
-    "other/mixamorig*": (0.01, "Y", False),
-    "odd/bvh/frames_250*": (CMU, "Z", False),
-    "odd/bvh/makehuman*": (0.1, "Z", False),
-    "odd/bvh/mixed_orders*": (0.0254, "Z", False),
-    "odd/bvh/xsens*": (0.01, "Y", False),
-    "odd/bvh/rotation_first*": (0.01, "Y", False),
-    "odd/bvh/full_precision*": (0.01, "Y", False),
-    "odd/bvh/reproductions/animated*": (0.01, "Y", False),
-    "odd/bvh/reproductions/ganimator*": (0.01, "Y", False),
-}
 REFUSED = {
     "102_01cc_scale_clash": (188, "root_scale="),
     "frontkick_world_space_6dof": (46, "places in the world"),
@@ -41,23 +21,18 @@ def read_one(path: Path) -> list[str]:
     return list(BvhReader().read(path).notes)
 
 
-@pytest.mark.parametrize("pattern", GOOD)
-def test_poses_are_those_of_the_text(
-    mocap: Path, farthest_off: Callable[..., float], pattern: str
-) -> None:
-    metres, up, relative = GOOD[pattern]
-    paths = sorted(mocap.glob(f"{pattern}.bvh"))
-    assert paths
-    for path in paths:
+def test_poses_are_those_of_the_text(family, farthest_off: Callable[..., float]) -> None:
+    assert family.paths
+    for path in family.paths:
         recording = BvhReader().read(path)
-        assert recording.up == up, path
+        assert recording.up == family.up, path
         frames = np.linspace(0, recording.motion.frame_count - 1, 6).astype(int)
-        off = farthest_off(recording, path, metres, relative=relative, frames=frames)
+        off = farthest_off(recording, path, family.metres, relative=family.relative, frames=frames)
         assert off < 1e-9, path
 
 
-def test_every_file_is_read_or_refused_as_the_tables_above_say(mocap: Path) -> None:
-    listed = {path for pattern in GOOD for path in mocap.glob(f"{pattern}.bvh")}
+def test_every_file_is_read_or_refused_as_the_tables_say(mocap: Path, families) -> None:
+    listed = {path for family in families for path in family.paths}
     listed |= {mocap / f"odd/bvh/{name}.bvh" for name in REFUSED}
     reproductions = mocap / "odd/bvh/reproductions"
     listed |= {*reproductions.glob("mova*.bvh"), *reproductions.glob("slimevr*.bvh")}
