@@ -1,0 +1,40 @@
+"""The stages that lie in the repository are what the demos write today, and they can be solved."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pxr import Sdf
+
+from usdmotion import demos, pipeline
+
+STAGES = Path(__file__).parents[2] / "stages"
+NAMES = sorted(path.stem for path in STAGES.glob("*.usda"))
+CLOSE = 1e-5
+"""The last bits differ between machines, as their linear algebra does."""
+NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+
+pytestmark = pytest.mark.skipif(not STAGES.is_dir(), reason="stages/ is not beside these tests")
+
+
+def taken_apart(path):
+    """Return the text of a layer without its numbers, and its numbers."""
+    text = Sdf.Layer.FindOrOpen(str(path)).ExportToString()
+    return NUMBER.sub("#", text), np.array([float(each) for each in NUMBER.findall(text)])
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_stage_is_what_its_demo_writes(name, tmp_path):
+    kept_text, kept = taken_apart(STAGES / f"{name}.usda")
+    built_text, built = taken_apart(demos.build(name, tmp_path))
+    assert kept_text == built_text
+    np.testing.assert_allclose(built, kept, rtol=CLOSE, atol=CLOSE)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_stage_solves_with_every_constraint_met(name, tmp_path):
+    report = pipeline.solve(STAGES / f"{name}.usda", tmp_path / "edit.usda")
+    assert report.notes == ()
+    assert report.edits and all(edit.constraints for edit in report.edits)
+    assert report.met, report.to_json()
