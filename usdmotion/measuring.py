@@ -9,24 +9,28 @@ from usdmotion.constraints import Constraint
 from usdmotion.kernels import Kind, forward, residuals
 from usdmotion.solving import Problem, Solution
 
+_LEVER = 0.1
+"""How far the point is away by which a turn is judged in metres [m]."""
+
 
 def measure(problem: Problem, solution: Solution, constraints: Sequence[Constraint]) -> Floats:
     """Return the error of each constraint on every frame, shape (frame_count, constraint_count).
 
-    Metres or degrees, as each constraint's `unit` says: the length of the errors of those of its
-    tasks that are measured in that unit. Activities do not count: where a constraint is not fully
-    on, this is how far it is from what it would ask for.
+    Metres or degrees, as each constraint's `unit` says. Where a constraint in metres holds an
+    orientation too, that counts as how far a point at 0.1 m is moved by what is left of the turn.
+    Activities do not count: where a constraint is not fully on, this is how far it is from what it
+    would ask for.
     """
     cast, table = problem.cast, problem.table
     positions, orientations = forward(cast.parents, solution.translations, solution.rotations)
-    squares = residuals(table, positions, orientations) ** 2
+    left = residuals(table, positions, orientations)
     turning = table.kind == Kind.ROTATION
     errors = np.zeros((cast.frame_count, len(constraints)))
     for index, constraint in enumerate(constraints):
         in_degrees = constraint.unit == "deg"
-        own = (table.constraint == index) & (turning == in_degrees)
-        left = np.sqrt(squares[:, own].sum(axis=1))
-        errors[:, index] = np.degrees(left) if in_degrees else left
+        scales = np.where(turning, 180.0 / np.pi if in_degrees else _LEVER, not in_degrees)
+        own = table.constraint == index
+        errors[:, index] = np.linalg.norm((left * scales)[:, own], axis=1)
     return errors
 
 

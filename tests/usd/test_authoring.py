@@ -11,6 +11,7 @@ from usdmotion.constraints import (
     Goal,
     OrientationConstraint,
     PositionConstraint,
+    TrajectoryConstraint,
     attributes,
     built_in,
 )
@@ -46,6 +47,17 @@ def different(each):
         "recruits": ("hip/knee", "hip"),
         "axes": "xz",
         "mode": "offset",
+        "supports": ("hip/knee/ankle", "hip"),
+        "support_points": np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]]),
+        "keys": (1 / 24, 3 / 24),
+        "releases": (2 / 24, 3 / 24),
+        "points": np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]]),
+        "tension": (1.0, 0.5),
+        "continuity": (0.25, -0.5),
+        "bias": (0.0, 0.75),
+        "kind": "line",
+        "orientation": np.array((0.0, HALF, 0.0, HALF)),
+        "template": True,
         "rotation": np.array((HALF, 0.0, 0.0, HALF), dtype=np.float32).astype(float),
     }
     if each.field in by_name:
@@ -53,6 +65,11 @@ def different(each):
     if isinstance(each.default, np.ndarray):
         return np.linspace(0.25, 0.75, len(each.default))
     return type(each.default)(0.5 if isinstance(each.default, float) else 3)
+
+
+def needed(kind):
+    """Return the fields without which a kind cannot be read."""
+    return {"times": (0.0, 2 / 24)} if kind is TrajectoryConstraint else {}
 
 
 def differ(kind):
@@ -78,15 +95,19 @@ def test_every_kind_is_read_as_it_was_authored(there_and_back, kind):
 
 @pytest.mark.parametrize("kind", built_in(), ids=lambda kind: kind.schema)
 def test_every_kind_at_its_defaults_is_read_as_such(there_and_back, kind):
-    constraint = kind(path="", skeleton="/Man/Bones", joint="hip")
+    constraint = kind(path="", skeleton="/Man/Bones", joint="hip", **needed(kind))
     assert_equal(there_and_back(constraint), constraint)
 
 
 @pytest.mark.parametrize("kind", built_in(), ids=lambda kind: kind.schema)
 def test_what_may_be_animated_is_read_frame_by_frame(there_and_back, kind):
     frames = np.linspace(0.1, 0.9, 5)
-    animated = {each.field: frames for each in attributes(kind) if each.animated}
-    constraint = kind(path="", skeleton="/Man/Bones", joint="hip", **animated)
+    animated = {
+        each.field: frames if np.ndim(each.default) == 0 else np.outer(frames, (1.0, 2.0, 3.0))
+        for each in attributes(kind)
+        if each.animated
+    }
+    constraint = kind(path="", skeleton="/Man/Bones", joint="hip", **animated, **needed(kind))
     assert_equal(there_and_back(constraint, time_codes=CODES), constraint)
 
 

@@ -68,7 +68,7 @@ def test_edits_constraints_and_goals_are_told(found):
     assert (wrist.recruits, wrist.times) == (("hip",), (1, 2))
     assert wrist.goals == ("Here (position)", "Further (offset)")
     assert wrist.solvable
-    assert not stance.solvable
+    assert stance.solvable
 
 
 def test_contacts_are_told(found):

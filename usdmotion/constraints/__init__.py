@@ -9,17 +9,25 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from usdmotion.constraints.attributes import Attribute, attribute, attributes
+from usdmotion.constraints.center_of_mass import CenterOfMassConstraint
 from usdmotion.constraints.constraint import Constraint
+from usdmotion.constraints.contact import ContactConstraint
 from usdmotion.constraints.goal import Goal
 from usdmotion.constraints.orientation import OrientationConstraint
 from usdmotion.constraints.position import PositionConstraint
+from usdmotion.constraints.space import Space
+from usdmotion.constraints.trajectory import TrajectoryConstraint
 
 __all__ = [
     "Attribute",
+    "CenterOfMassConstraint",
     "Constraint",
+    "ContactConstraint",
     "Goal",
     "OrientationConstraint",
     "PositionConstraint",
+    "Space",
+    "TrajectoryConstraint",
     "attribute",
     "attributes",
     "built_in",

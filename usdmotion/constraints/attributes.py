@@ -18,17 +18,25 @@ class Attribute:
     """"length" is metres here and stage units there, "time" seconds here and time codes there."""
     animated: bool
     """Whether it may change over time: the field then holds a value, or one for each frame."""
+    frame: str = ""
+    """In whose frame lengths are given: "" the stage's, "space" the relation `space`, "edit" the
+    MotionEdit's; else the field with the token of the joint, or with the tokens, a point each."""
 
     @property
     def name(self) -> str:
         """Name of the USD attribute, for example `usdmotion:freeAxis`."""
-        first, *rest = self.field.split("_")
-        return "usdmotion:" + first + "".join(word.capitalize() for word in rest)
+        return property_name(self.field)
 
 
-def attribute(default: Any, *, unit: Unit = "", animated: bool = False) -> Any:
+def property_name(field: str) -> str:
+    """Return the name of the USD property of a field, for example `usdmotion:freeAxis`."""
+    first, *rest = field.split("_")
+    return "usdmotion:" + first + "".join(word.capitalize() for word in rest)
+
+
+def attribute(default: Any, *, unit: Unit = "", animated: bool = False, frame: str = "") -> Any:
     """Declare a dataclass field that is read from, and written to, an attribute of the schema."""
-    details = {"unit": unit, "animated": animated}
+    details = {"unit": unit, "animated": animated, "frame": frame}
     if isinstance(default, (tuple, str, int, float)):
         return dataclasses.field(default=default, metadata={"attribute": details})
     return dataclasses.field(default_factory=default, metadata={"attribute": details})

@@ -39,7 +39,7 @@ class Constraint:
     """Key times of its easing [s]: none, two, or four."""
     joint: str = attribute("")
     """Token of the effector's joint."""
-    point: Floats = attribute(lambda: np.zeros(3), unit="length")
+    point: Floats = attribute(lambda: np.zeros(3), unit="length", frame="joint")
     """The effector's point in the joint's frame [m], shape (3,) or (frame_count, 3)."""
     recruits: tuple[str, ...] = attribute(())
     """Tokens of the joints it may move; none: from the effector's joint to the root."""
@@ -57,18 +57,21 @@ class Constraint:
             SceneError: It names a joint that is not there, or asks for what cannot be.
         """
         frames = cast.frame_count
-        activity = np.clip(self.activity * ease(cast.times, self.times), 0.0, 1.0)
         recruits = np.zeros(cast.node_count, dtype=np.bool_)
         recruits[list(self.recruited(cast))] = True
         return Demand(
             tasks=tuple(self.tasks(cast)),
             priority=self.priority,
             weight=np.broadcast_to(np.maximum(self.weight, 0.0), frames),
-            activity=np.broadcast_to(activity, frames),
+            activity=np.broadcast_to(np.clip(self.eased(cast), 0.0, 1.0), frames),
             recruits=recruits,
             moves=frozenset(self.movable(cast)),
             plateau=self.plateau(cast),
         )
+
+    def eased(self, cast: Cast) -> Floats:
+        """Return its activity with its easing, one number or shape (frame_count,)."""
+        return np.asarray(self.activity * ease(cast.times, self.times))
 
     def node(self, cast: Cast) -> int:
         """Return the node of the effector's joint."""
@@ -92,7 +95,7 @@ class Constraint:
 
     def plateau(self, cast: Cast) -> Bools:
         """Return the frames where it is fully on, and so is one of its goals if it has any."""
-        activity = np.broadcast_to(self.activity * ease(cast.times, self.times), cast.frame_count)
+        activity = np.broadcast_to(self.eased(cast), cast.frame_count)
         full = activity >= 1.0 - 1e-9
         on_goal = full & (Shares.of(self.goals, cast.times).blend >= 1.0 - 1e-9)
         return on_goal if on_goal.any() else full

@@ -65,21 +65,26 @@ class Shares:
 
 
 def composite_point(
-    cast: Cast, goals: Sequence[Goal], effector: Term, original: Floats, held: str, path: str
+    cast: Cast,
+    goals: Sequence[Goal],
+    effector: Sequence[Term],
+    original: Floats,
+    held: str,
+    path: str,
 ) -> PointTask:
     """Return the task that brings an effector to the composite of its goals.
 
     Args:
         cast: Who takes part.
         goals: The goals; none keeps the original trajectory.
-        effector: The constrained point.
+        effector: The constrained point, or those whose sum is constrained.
         original: Its world trajectory in the input motion [m], shape (frame_count, 3).
         held: The axes along which it is held, of "xyz".
         path: Whom to name in an error.
     """
     shares = Shares.of(goals, cast.times)
     target = (1.0 - shares.blend)[:, None] * original
-    terms = [effector]
+    terms = list(effector)
     for goal, weight in zip(goals, shares.weights, strict=True):
         if goal.mode == "offset":
             target = target + weight[:, None] * original

@@ -25,4 +25,4 @@ class PositionConstraint(Constraint):
         effector = self.effector(cast)
         node = effector.node
         original = world_points(cast.positions[:, node], cast.orientations[:, node], self.point)
-        yield composite_point(cast, self.goals, effector, original, self.axes, self.path)
+        yield composite_point(cast, self.goals, [effector], original, self.axes, self.path)

@@ -1,26 +1,22 @@
 """Edits and constraints of any kind, authored on a stage from plain values."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import numpy as np
 from pxr import Sdf, Usd
 
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint
-from usdmotion.errors import SceneError
 from usdmotion.usd.attribute_authoring import author_fields, define, time_code_array
 from usdmotion.usd.clips import own_times
+from usdmotion.usd.frame_authoring import author_space, in_units
 from usdmotion.usd.goal_authoring import author_goal
 from usdmotion.usd.origins import source_of
 from usdmotion.usd.relations import edit_of, floats, skeleton_of, value
-from usdmotion.usd.scaling import joint_units
 from usdmotion.usd.shot import Facts
 from usdmotion.usd.stages import read_facts
 from usdmotion.usd.times import solved_times
 
-_SAME = 1e-6
-"""Relative difference of two points that is rounding."""
 _OPTION_TYPES = {
     bool: Sdf.ValueTypeNames.Bool,
     int: Sdf.ValueTypeNames.Int,
@@ -88,10 +84,9 @@ def author(
     """
     facts = read_facts(stage)
     codes = _first_code(stage, path, facts) if time_codes is None else np.array(time_codes, float)
-    if np.any(constraint.point):
-        constraint = replace(constraint, point=_in_units(stage, path, constraint, codes, facts))
     prim = define(stage, path, constraint.schema)
-    author_fields(prim, constraint, codes, facts)
+    author_space(constraint, prim)
+    author_fields(prim, in_units(constraint, prim, edit_of(prim), codes, facts), codes, facts)
     for index, goal in enumerate(constraint.goals):
         name = goal.path.rsplit("/", 1)[-1] or f"Goal{index + 1}"
         author_goal(define(stage, f"{path}/{name}", "MotionGoal"), goal, codes, facts)
@@ -108,17 +103,3 @@ def _first_code(stage: Usd.Stage, path: str, facts: Facts) -> Floats:
     rate = float(value(edit, "usdmotion:sampleRate", 0.0))
     ends = (span[0], span[1]) if span else None
     return solved_times(own, ends, rate, facts, f"<{edit.GetPath()}>")[:1]
-
-
-def _in_units(
-    stage: Usd.Stage, path: str, constraint: Constraint, time_codes: Floats, facts: Facts
-) -> Floats:
-    """Return a constraint's point as what `author_fields` takes for metres of its joint's frame."""
-    units = joint_units(stage, constraint.skeleton, constraint.joint, time_codes, facts)
-    points = np.atleast_2d(constraint.point / units * facts.meters_per_unit)
-    if np.ptp(points, axis=0).max() > _SAME * np.abs(points).max():
-        raise SceneError(
-            f"<{path}> holds a point of '{constraint.joint}', whose scale changes over time, and a "
-            "point of a constraint is one for the whole shot; hold a joint that is not scaled"
-        )
-    return np.asarray(points[0])

@@ -1,16 +1,15 @@
 """The constraints of an edit, of any kind, from their prims."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 
-import numpy as np
 from pxr import Usd
 
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint
 from usdmotion.errors import SceneError
-from usdmotion.usd.attributes import collapse, read_fields
+from usdmotion.usd.attributes import read_fields
 from usdmotion.usd.characters import Sitting
+from usdmotion.usd.frames import in_metres
 from usdmotion.usd.goals import read_goal, space_skeleton
 from usdmotion.usd.relations import edit_of, is_a
 from usdmotion.usd.shot import Facts
@@ -31,9 +30,10 @@ def goal_prims(constraint: Usd.Prim) -> Iterator[Usd.Prim]:
 
 
 def skeletons_of_goals(edit: Usd.Prim) -> dict[str, Usd.Prim]:
-    """Return the Skeletons in whose joints' frames an edit has goals, by their paths."""
-    goals = [goal for constraint in constraint_prims(edit) for goal in goal_prims(constraint)]
-    skeletons = [space_skeleton(goal) for goal in goals]
+    """Return the Skeletons in whose joints' frames an edit has goals or places, by their paths."""
+    constraints = list(constraint_prims(edit))
+    goals = [goal for constraint in constraints for goal in goal_prims(constraint)]
+    skeletons = [space_skeleton(prim) for prim in (*constraints, *goals)]
     return {str(each.GetPath()): each for each in skeletons if each is not None}
 
 
@@ -73,7 +73,7 @@ def read_constraints(
             goals=tuple(read_goal(goal, sittings, time_codes, facts) for goal in goal_prims(prim)),
             **read_fields(prim, kind, time_codes, facts),
         )
-        found.append(_placed(constraint, sittings[skeleton], facts))
+        found.append(in_metres(constraint, prim, edit, sittings, time_codes, facts))
     return tuple(found)
 
 
@@ -83,12 +83,3 @@ def _is_constraint(prim: Usd.Prim) -> bool:
     return is_a(prim, "UsdMotionConstraint") or (
         name.startswith("Motion") and name.endswith("Constraint")
     )
-
-
-def _placed(constraint: Constraint, sitting: Sitting, facts: Facts) -> Constraint:
-    """Return a constraint with its point in metres of a joint that may be scaled."""
-    joint = sitting.character.skeleton.index.get(constraint.joint)
-    if joint is None or not np.any(constraint.point):
-        return constraint
-    scales = sitting.scaling.of_joints[:, joint] / facts.meters_per_unit
-    return replace(constraint, point=collapse(constraint.point * scales))

@@ -16,7 +16,7 @@ from usdmotion.usd.transforms import local_matrices, parent_matrices, rigid, wor
 
 
 def space_skeleton(goal: Usd.Prim) -> Usd.Prim | None:
-    """Return the Skeleton of the joint in whose frame a goal is given; None for no joint.
+    """Return the Skeleton of the joint in whose frame a prim gives places; None for no joint.
 
     Raises:
         SceneError: It names a joint, but of no Skeleton.

@@ -51,7 +51,7 @@ def find_wrong_trajectories(prim: Usd.Prim) -> Iterator[Fault]:
 def _find_wrong_releases(
     prim: Usd.Prim, keys: list[float], releases: list[float]
 ) -> Iterator[Fault]:
-    ends = [*keys[1:], float("inf")]
+    ends = [*keys, float("inf")][1:]
     for key, release, end in zip(keys, releases, ends, strict=True):
         if not key <= release <= end:
             what = f"the key {key:g} and the next one" if end < float("inf") else f"the key {key:g}"

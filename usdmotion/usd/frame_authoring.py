@@ -1,0 +1,114 @@
+"""The way back: lengths in metres as a constraint's prim gives them in frames of its own."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from pxr import Usd
+
+from usdmotion.arrays import Floats
+from usdmotion.constraints import Attribute, Constraint, Space, attributes
+from usdmotion.errors import SceneError
+from usdmotion.kernels import conjugate, rotate
+from usdmotion.usd.scaling import joint_units
+from usdmotion.usd.shot import Facts
+from usdmotion.usd.transforms import parent_matrices, rigid, world_matrices
+
+_SAME = 1e-6
+
+
+def in_units(
+    constraint: Constraint, prim: Usd.Prim, edit: Usd.Prim | None, codes: Floats, facts: Facts
+) -> Constraint:
+    """Return a constraint whose lengths, over the stage's unit, are what its prim should say.
+
+    Args:
+        constraint: In metres; its space is the world, or a joint.
+        prim: The prim that is to say it.
+        edit: Its MotionEdit.
+        codes: Time code of each frame.
+        facts: Units and rates of the stage.
+
+    Raises:
+        SceneError: A frame moves or changes its scale, and a value is one for the whole shot.
+    """
+    changed: dict[str, Any] = {}
+    for each in attributes(type(constraint)):
+        given = np.asarray(getattr(constraint, each.field)) if each.frame else None
+        if given is None or not np.any(given):
+            continue
+        if each.frame == "space":
+            changed[each.field] = _in_space(constraint, given, prim, codes, facts)
+        elif each.frame == "edit":
+            axes = world_matrices(edit or prim.GetParent(), codes)[:, :3, :3]
+            turned = (np.atleast_2d(given)[:, None] @ np.linalg.inv(axes))[:, 0]
+            changed[each.field] = turned if len(turned) > 1 else turned[0]
+        else:
+            changed[each.field] = _in_joints(constraint, each, given, prim, codes, facts)
+    return replace(constraint, **changed) if changed else constraint
+
+
+def author_space(constraint: Constraint, prim: Usd.Prim) -> None:
+    """Name the joint that the space of a constraint is, if it is one.
+
+    Raises:
+        SceneError: It is a frame that only a prim can stand for.
+    """
+    space = getattr(constraint, "space", None)
+    if space is None or _is_world(space):
+        return
+    if space.joint is None:
+        raise SceneError(
+            f"<{prim.GetPath()}> gives places in a frame that is not the world's; author it under "
+            "a prim that has it, or name one in usdmotion:space"
+        )
+    skeleton, token = space.joint
+    prim.GetRelationship("usdmotion:space").SetTargets([skeleton])
+    prim.GetAttribute("usdmotion:spaceJoint").Set(token)
+
+
+def _is_world(space: Space) -> bool:
+    here = np.array_equal(space.rotation, Space().rotation) and not np.any(space.translation)
+    return space.joint is None and here
+
+
+def _in_space(
+    constraint: Any, points: Floats, prim: Usd.Prim, codes: Floats, facts: Facts
+) -> Floats:
+    space: Space = constraint.space
+    if space.joint is not None:
+        units = joint_units(prim.GetStage(), *space.joint, codes, facts)
+        return np.asarray(points / _still(units, prim) * facts.meters_per_unit)
+    if not _is_world(space):
+        return points
+    matrix = _still(parent_matrices(prim, codes), prim)[None]
+    origin, axes, scales = rigid(matrix, f"<{prim.GetPath()}>")
+    inside = rotate(conjugate(axes[0]), points - origin[0] * facts.meters_per_unit)
+    return np.asarray(inside / scales[0])
+
+
+def _in_joints(
+    constraint: Constraint,
+    each: Attribute,
+    points: Floats,
+    prim: Usd.Prim,
+    codes: Floats,
+    facts: Facts,
+) -> Floats:
+    tokens = getattr(constraint, each.frame)
+    one = isinstance(tokens, str)
+    units = [
+        _still(joint_units(prim.GetStage(), constraint.skeleton, token, codes, facts), prim)
+        for token in ([tokens] if one else tokens)
+    ]
+    factors = units[0] if one else np.array(units)
+    return np.asarray(points / factors * facts.meters_per_unit)
+
+
+def _still(values: Floats, prim: Usd.Prim) -> Floats:
+    if np.ptp(values, axis=0).max() > _SAME * np.abs(values).max():
+        raise SceneError(
+            f"<{prim.GetPath()}> gives places in a frame that moves or changes its scale, and they "
+            "are the same for the whole shot; give them in a frame that does not"
+        )
+    return np.asarray(values[0])
