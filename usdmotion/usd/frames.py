@@ -90,9 +90,10 @@ def _in_joints(constraint: Constraint, each: Attribute, sitting: Sitting, facts:
             return np.asarray(given)  # whoever uses the joint says that it is not there
         scales = sitting.scaling.of_joints[:, index] / facts.meters_per_unit
         return np.asarray(collapse(given * scales))
-    known = [sitting.character.skeleton.index.get(token) for token in tokens]
-    if None in known or len(known) != len(given):
-        return np.asarray(given)
+    index_of = sitting.character.skeleton.index
+    known = [index_of[token] for token in tokens if token in index_of]
+    if len(known) != len(tokens) or len(tokens) != len(given):
+        return np.asarray(given)  # whoever uses them says what is wrong
     scales = sitting.scaling.of_joints[:, known] / facts.meters_per_unit
     if np.ptp(scales, axis=0).max(initial=0.0) > 1e-9:
         raise SceneError(
