@@ -4,6 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+from pxr import Usd
 
 from usdmotion.constraints import Goal, PositionConstraint
 from usdmotion.demos import gait, reaching
@@ -39,7 +40,10 @@ def test_the_rest_of_the_walk_is_the_walk(demo, solve):
 
 
 def test_joints_that_nobody_recruits_equal_the_input(demo, solve):
-    solved = solve(demo("reaching"), SKELETON)
+    stage = Usd.Stage.Open(str(demo("reaching")))
+    stage.GetPrimAtPath(f"{SKELETON}/Reaching/Balance").SetActive(False)
+    stage.Save()
+    solved = solve(Path(stage.GetRootLayer().realPath), SKELETON)
     for name in ("Head", "Neck", "RightShoulder", "RightArm", "RightForeArm", "RightHand"):
         index = solved.before.index(name)
         assert np.array_equal(solved.after.local[:, index], solved.before.local[:, index])
@@ -55,8 +59,40 @@ def test_the_report_says_so_too(demo, solve):
     (edit,) = solve(demo("reaching"), SKELETON).report.edits
     assert edit.frames == 145
     assert all(each.met for each in edit.constraints)
-    assert [each.priority for each in edit.constraints] == [1, 1, 1, 1, 2]
+    assert [each.priority for each in edit.constraints] == [1, 1, 1, 1, 2, 3]
     assert max(each.max for each in edit.constraints) < 1e-5
+
+
+def balance_lost(take, walk):
+    """Return how far the centre of mass gets from over its supports, at most, [m] (F,)."""
+    masses = walk.body.masses / walk.body.masses.sum()
+    center = sum(
+        mass * take.point(token, point)
+        for token, mass, point in zip(
+            walk.skeleton.joints, masses, walk.body.mass_centers, strict=True
+        )
+    )
+    supports = [
+        take.point(f"{side}{joint}", point)
+        for side in ("Left", "Right")
+        for joint, point in (("Foot", walk.heel_point), ("ToeBase", walk.toe_point))
+    ]
+    return (center - np.mean(supports, axis=0))[:, [0, 2]]
+
+
+def test_without_the_constraint_the_centre_of_mass_leaves_its_supports(demo, solve):
+    shot, walk = demo("reaching"), gait.walk()
+    kept = solve(shot, SKELETON)
+    stage = Usd.Stage.Open(str(shot))
+    stage.GetPrimAtPath(f"{SKELETON}/Reaching/Balance").SetActive(False)
+    stage.Save()
+    lost = solve(shot, SKELETON)
+    with_it, without = (
+        each.millimetres(balance_lost(each.after, walk) - balance_lost(each.before, walk))
+        for each in (kept, lost)
+    )
+    assert with_it <= 1.0
+    assert without >= 100.0
 
 
 def test_captured_feet_stay_while_the_wrist_is_raised(captured, asked, solve):

@@ -1,14 +1,14 @@
-"""2004, figure 3: a walker reaches for a point and keeps his feet where they were."""
+"""2004, figure 3: a walker reaches for a point, keeps his feet where they were, and his balance."""
 
 from pathlib import Path
 
 import numpy as np
 
-from usdmotion.constraints import Goal, PositionConstraint
+from usdmotion.constraints import CenterOfMassConstraint, Goal, PositionConstraint
 from usdmotion.demos.gait import walk
 from usdmotion.demos.walker import SKELETON, feet, seconds, token, write_walk
 
-TARGET = np.array((0.70, 0.80, 4.25))
+TARGET = np.array((0.65, 0.90, 4.25))
 """Where the left wrist is to be [m]: beside the path, lower than the shoulder, an arm away."""
 FRAMES = (56.0, 72.0, 80.0, 96.0)
 """It leaves its trajectory, is there, leaves, is back: 40 frames, as in the paper."""
@@ -24,4 +24,13 @@ def build(output: Path) -> None:
         priority=2,
         goals=(Goal(path="Reach", translation=TARGET, times=tuple(map(seconds, FRAMES))),),
     )
-    write_walk(output, walking, "Reaching", [*feet(walking, priority=1), wrist])
+    planted = feet(walking, priority=1)
+    balance = CenterOfMassConstraint(
+        path="Balance",
+        skeleton=SKELETON,
+        priority=3,
+        supports=tuple(each.joint for each in planted),
+        support_points=np.array([each.point for each in planted]),
+        axes="xz",
+    )
+    write_walk(output, walking, "Reaching", [*planted, wrist, balance])
