@@ -66,6 +66,14 @@ def save(layer: Sdf.Layer, output: Path) -> None:
         beside.unlink(missing_ok=True)
 
 
+def relative(path: str | Path, folder: str | Path) -> str:
+    """Return a path as it is written in a layer in a folder, so that both may move together."""
+    parent, name = os.path.split(path)
+    found = os.path.relpath(os.path.realpath(parent), os.path.realpath(folder))
+    way = Path(found, name).as_posix()
+    return way if way.startswith("../") else f"./{way}"
+
+
 def over(layer: Sdf.Layer, path: str) -> Sdf.PrimSpec:
     """Return the spec of a prim, made as an over where it is not there yet."""
     return Sdf.CreatePrimInLayer(layer, path)

@@ -12,8 +12,8 @@ import numpy as np
 
 from usdmotion.usd.shot import Result, Shot, Take
 
-_NOT_READ = ("holder", "bound")
-"""Fields of a take that only say where the result goes."""
+_NOT_READ = ("holder", "bound", "folder")
+"""Fields of a take that only say where the result goes, or where the files lie."""
 
 
 @cache

@@ -27,7 +27,7 @@ from usdmotion.usd.edits import (
 )
 from usdmotion.usd.relations import bound_animation, value
 from usdmotion.usd.shot import Facts, Shot, Take
-from usdmotion.usd.sources import read_extras
+from usdmotion.usd.sources import folder_of, read_extras
 from usdmotion.usd.stages import composition_faults, open_stage, read_facts, refuse, used_files
 
 _UP = {"Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
@@ -152,4 +152,5 @@ def _take(each: Request, sitting: Sitting) -> Take:
         units=sitting.scaling.of_parents,
         rest=sitting.joints.rest,
         extras=read_extras(each.source),
+        folder=folder_of(each.source),
     )

@@ -84,6 +84,8 @@ class Take:
     """The rest pose; None where the skeleton has none."""
     extras: str
     """Blend shapes and whatever else the source holds, as a layer with the prim </source>."""
+    folder: str
+    """Folder to which the paths of assets in the extras are relative."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,6 +12,7 @@ from usdmotion.usd.layers import (
     new_layer,
     over,
     relate,
+    relative,
     require_writable,
     save,
     set_value,
@@ -20,7 +21,7 @@ from usdmotion.usd.layers import (
 from usdmotion.usd.provenance import input_hash, own_version, provenance
 from usdmotion.usd.results import result_of
 from usdmotion.usd.shot import Result, Shot, Take
-from usdmotion.usd.sources import SOURCE
+from usdmotion.usd.sources import SOURCE, extras_for
 
 
 def write(shot: Shot, results: Sequence[Result], output: Path) -> None:
@@ -47,7 +48,8 @@ def write(shot: Shot, results: Sequence[Result], output: Path) -> None:
     with Sdf.ChangeBlock():
         for result in results:
             take = takes[result.edit]
-            _write_result(layer, shot, take, result, hashes[result.edit])
+            extras = extras_for(take.extras, take.folder, str(output.parent))
+            _write_result(layer, shot, take, result, extras, hashes[result.edit])
             _write_binding(layer, take)
         layer.customLayerData = {"usdmotion": provenance(results, hashes)}
     save(layer, output)
@@ -69,7 +71,7 @@ def compose(shot: Shot, edit_layer: Path, output: Path) -> None:
     layer = new_layer(shot.facts)
     if shot.facts.default_prim:
         layer.defaultPrim = shot.facts.default_prim
-    layer.subLayerPaths[:] = [_relative(path, output) for path in (edit_layer, shot.path)]
+    layer.subLayerPaths[:] = [relative(path, output.parent) for path in (edit_layer, shot.path)]
     known = Usd.Stage.CreateInMemory()
     known.WriteFallbackPrimTypes()
     fallbacks = known.GetRootLayer().pseudoRoot.GetInfo("fallbackPrimTypes")
@@ -77,7 +79,9 @@ def compose(shot: Shot, edit_layer: Path, output: Path) -> None:
     save(layer, output)
 
 
-def _write_result(layer: Sdf.Layer, shot: Shot, take: Take, result: Result, digest: str) -> None:
+def _write_result(
+    layer: Sdf.Layer, shot: Shot, take: Take, result: Result, extras: Sdf.Layer, digest: str
+) -> None:
     scene = shot.scene(take.edit)
     edit = next(edit for edit in scene.edits if edit.path == take.edit)
     character = scene.character(edit.skeleton)
@@ -87,8 +91,6 @@ def _write_result(layer: Sdf.Layer, shot: Shot, take: Take, result: Result, dige
             f"joints instead of {character.motion.rotations.shape[:2]}"
         )
     prim = over(layer, take.result)
-    extras = Sdf.Layer.CreateAnonymous(".usda")
-    extras.ImportFromString(take.extras)
     Sdf.CopySpec(extras, SOURCE, layer, prim.path)
     joints, samples = result_of(take, character.motion, result.motion, character.skeleton.joints)
     write_animation(prim, joints, samples)
@@ -104,9 +106,3 @@ def _write_binding(layer: Sdf.Layer, take: Take) -> None:
     holder = over(layer, take.holder)
     apply_schema(holder, "SkelBindingAPI")
     relate(holder, "skel:animationSource", take.bound)
-
-
-def _relative(path: Path, output: Path) -> str:
-    folder = os.path.realpath(output.parent)
-    relative = os.path.relpath(os.path.realpath(path), folder)
-    return f"./{Path(relative).as_posix()}" if not relative.startswith("..") else relative
