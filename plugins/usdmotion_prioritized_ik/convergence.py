@@ -1,10 +1,14 @@
 """All levels at once; where one is out of reach, level by level from there on."""
 
+from collections.abc import Callable
+
 from usdmotion.kernels import shared, task_error
-from usdmotion_prioritized_ik.iteration import converge, worst
+from usdmotion_prioritized_ik.iteration import worst
 from usdmotion_prioritized_ik.posture import carry_over, recruit, restore, save, start
 from usdmotion_prioritized_ik.state import Work
 
+Converge = Callable[[Work, int, int, int, bool, float], int]
+"""`iteration.converge`, handed over."""
 SETTLED, LIMIT = 1, 2
 MISSED = 1e-7
 """An error above this, after the finish, is out of reach [m or rad]."""
@@ -15,33 +19,34 @@ FEW = 6
 
 
 @shared
-def solve_levels(work: Work, frame: int, final: bool) -> tuple[int, int]:
+def solve_levels(work: Work, converge: Converge, frame: int, final: bool) -> tuple[int, int]:
     """Solve the tasks that are on; return the iterations spent, and why they ended.
 
     Projection is exact only to first order, so that a level that is missed still gives way to the
     levels under it. What it attains without them is therefore found first, and kept as its goal
     while they are solved: then all levels above are within reach, and give way to nobody.
     """
-    carried, levels = work.carried, work.carried.valid.shape[0]
-    columns = recruit(work, levels)
+    given, carried, asked = work.given[0], work.carried[0], work.asked[0]
+    levels = carried.valid.shape[0]
+    recruit(work, levels)
     start(work, frame, levels - 1)
-    spent, stop = _settle(work, frame, levels, columns)
-    spent += converge(work, frame, levels, columns, FEW, False, 1.0)
+    spent, stop = _settle(work, converge, frame, levels)
+    spent += converge(work, frame, levels, FEW, False, 1.0)
     first = _first_missed(work, levels)
     for level in range(levels - 1):
         carried.valid[level] &= level >= first
     for level in range(first, levels):
         if first < levels - 1:
-            columns = recruit(work, level + 1)
+            recruit(work, level + 1)
             if carried.valid[level] or level == first:
                 start(work, frame, level)
-            more, stop = _settle(work, frame, level + 1, columns)
+            more, stop = _settle(work, converge, frame, level + 1)
             spent += more
-        spent += _approach(work, frame, level, columns)
+        spent += _approach(work, converge, frame, level)
         if level > first and worst(work, level) > LEAK:
-            spent += _approach_carefully(work, frame, level, columns)
-        for task in range(work.table.kind.shape[0]):
-            if work.table.level[task] == level and work.asked.on[task]:
+            spent += _approach_carefully(work, converge, frame, level)
+        for task in range(given.first_task[level], given.first_task[level + 1]):
+            if asked.on[task]:
                 keep(work, frame, task, 1.0)
         save(work)
         if final:
@@ -54,29 +59,30 @@ def solve_levels(work: Work, frame: int, final: bool) -> tuple[int, int]:
 @shared
 def keep(work: Work, frame: int, task: int, share: float) -> None:
     """From here on a task is to leave a share of the error that it has now."""
-    error = task_error(work.table, frame, task, work.pose.positions, work.pose.orientations)
+    pose, kept = work.pose[0], work.asked[0].kept
+    error = task_error(work.table, frame, task, pose.positions, pose.orientations)
     for axis in range(3):
-        work.asked.kept[task, axis] = share * error[axis]
+        kept[task, axis] = share * error[axis]
 
 
 @shared
-def _settle(work: Work, frame: int, levels: int, columns: int) -> tuple[int, int]:
-    most = work.settings.iterations
-    spent = converge(work, frame, levels, columns, most, True, 1.0)
+def _settle(work: Work, converge: Converge, frame: int, levels: int) -> tuple[int, int]:
+    most = work.settings[0].iterations
+    spent = converge(work, frame, levels, most, True, 1.0)
     return spent, SETTLED if spent < most else LIMIT
 
 
 @shared
-def _approach(work: Work, frame: int, level: int, columns: int) -> int:
+def _approach(work: Work, converge: Converge, frame: int, level: int) -> int:
     """Bring a level near: with it, then without it, and so on up the ranks, the top one last."""
     spent = 0
     for levels in range(level + 1, 0, -1):
-        spent += converge(work, frame, levels, columns, work.settings.finish, False, 1.0)
+        spent += converge(work, frame, levels, work.settings[0].finish, False, 1.0)
     return spent
 
 
 @shared
-def _approach_carefully(work: Work, frame: int, level: int, columns: int) -> int:
+def _approach_carefully(work: Work, converge: Converge, frame: int, level: int) -> int:
     """Bring a level nearer by steps that cost the levels above nothing.
 
     Where two levels can be met at one point only, leaving it by a finite step is not made good by
@@ -84,14 +90,14 @@ def _approach_carefully(work: Work, frame: int, level: int, columns: int) -> int
     after which they still are.
     """
     restore(work)
-    converge(work, frame, level + 1, columns, 0, False, 1.0)
+    converge(work, frame, level + 1, 0, False, 1.0)
     nearest = _left(work, level)
     spent, share = 0, 1.0
-    for _ in range(work.settings.finish):
-        spent += converge(work, frame, level + 1, columns, 1, False, share)
+    for _ in range(work.settings[0].finish):
+        spent += converge(work, frame, level + 1, 1, False, share)
         for levels in range(level, 0, -1):
-            spent += converge(work, frame, levels, columns, FEW, False, 1.0)
-        converge(work, frame, level + 1, columns, 0, False, 1.0)
+            spent += converge(work, frame, levels, FEW, False, 1.0)
+        converge(work, frame, level + 1, 0, False, 1.0)
         left = _left(work, level)
         if left < nearest and worst(work, level) < LEAK:
             nearest = left
@@ -107,17 +113,19 @@ def _approach_carefully(work: Work, frame: int, level: int, columns: int) -> int
 
 @shared
 def _first_missed(work: Work, levels: int) -> int:
-    for task in range(work.table.kind.shape[0]):
-        if work.asked.on[task] and work.asked.errors[task] > MISSED:
-            return work.table.level[task]
+    asked = work.asked[0]
+    for task in range(asked.errors.shape[0]):
+        if asked.on[task] and asked.errors[task] > MISSED:
+            return int(work.table[0].level[task])
     return levels
 
 
 @shared
 def _left(work: Work, level: int) -> float:
     """Return the squared error of one level."""
+    given, asked = work.given[0], work.asked[0]
     square = 0.0
-    for task in range(work.table.kind.shape[0]):
-        if work.table.level[task] == level and work.asked.on[task]:
-            square += work.asked.errors[task] ** 2
+    for task in range(given.first_task[level], given.first_task[level + 1]):
+        if asked.on[task]:
+            square += asked.errors[task] ** 2
     return square

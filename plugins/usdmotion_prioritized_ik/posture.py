@@ -1,6 +1,6 @@
 """Where a frame starts, how its pose moves, and what pulls it back to the input motion."""
 
-from usdmotion.kernels import inlined, number_columns, place, shared
+from usdmotion.kernels import place, shared
 from usdmotion.kernels.quaternions import (
     inverse,
     product,
@@ -15,15 +15,33 @@ from usdmotion_prioritized_ik.state import Work
 
 
 @shared
-def recruit(work: Work, levels: int) -> int:
-    """Number the columns of the nodes that the first levels may move; return their count."""
-    given, table, pose = work.given, work.table, work.pose
-    for node in range(given.parents.shape[0]):
-        pose.recruited[node] = False
-        for task in range(table.kind.shape[0]):
-            if table.level[task] < levels and work.asked.on[task] and table.recruits[task, node]:
-                pose.recruited[node] = given.freedom[node] > 0.0
-    return number_columns(pose.recruited, given.translates, pose.columns)
+def recruit(work: Work, levels: int) -> None:
+    """Number the columns of the nodes that can move the first levels, level by level."""
+    given, table, columns = work.given[0], work.table[0], work.pose[0].columns
+    for node in range(columns.shape[0]):
+        columns[node] = -1
+    count = work.stack[0].first_row[0]
+    for level in range(levels):
+        for task in range(given.first_task[level], given.first_task[level + 1]):
+            if not work.asked[0].on[task]:
+                continue
+            for term in range(table.first_term[task], table.first_term[task + 1]):
+                count = _recruit_chain(work, task, table.term_node[term], count)
+            for goal in range(table.first_goal[task], table.first_goal[task + 1]):
+                count = _recruit_chain(work, task, table.goal_node[goal], count)
+            count = _recruit_chain(work, task, table.axes_node[task], count)
+        work.stack[0].widths[level] = count
+
+
+@shared
+def _recruit_chain(work: Work, task: int, node: int, count: int) -> int:
+    given, recruits, columns = work.given[0], work.table[0].recruits, work.pose[0].columns
+    while node >= 0:
+        if columns[node] < 0 and recruits[task, node] and given.freedom[node] > 0.0:
+            columns[node] = count
+            count += 6 if given.translates[node] else 3
+        node = given.parents[node]
+    return count
 
 
 @shared
@@ -32,9 +50,9 @@ def start(work: Work, frame: int, carry: int) -> None:
 
     2004, equation 4 starts from that frame's posture itself, which lags more.
     """
-    given, pose, carried = work.given, work.pose, work.carried
+    given, pose, carried = work.given[0], work.pose[0], work.carried[0]
     for node in range(given.parents.shape[0]):
-        moves = carried.valid[carry] and pose.recruited[node]
+        moves = carried.valid[carry] and pose.columns[node] >= 0
         turn = quaternion_in(given.rotations, frame, node)
         if moves:
             turn = unit(product(turn, quaternion_in(carried.rotations, carry, node)))
@@ -44,17 +62,17 @@ def start(work: Work, frame: int, carry: int) -> None:
             pose.translations[node, axis] = given.translations[frame, node, axis]
             if moves and given.translates[node]:
                 pose.translations[node, axis] += carried.translations[carry, node, axis]
-    _place(work)
+    place_all(work)
 
 
 @shared
 def carry_over(work: Work, frame: int, carry: int) -> None:
     """Keep the displacement of the pose from the input for the next frame."""
-    given, pose, carried = work.given, work.pose, work.carried
+    given, pose, carried = work.given[0], work.pose[0], work.carried[0]
     carried.valid[carry] = True
     for node in range(given.parents.shape[0]):
         turn = (0.0, 0.0, 0.0, 1.0)
-        if pose.recruited[node]:
+        if pose.columns[node] >= 0:
             back = inverse(quaternion_in(given.rotations, frame, node))
             turn = product(back, quaternion_at(pose.rotations, node))
         for axis in range(4):
@@ -65,10 +83,10 @@ def carry_over(work: Work, frame: int, carry: int) -> None:
             )
 
 
-@inlined
+@shared
 def preserve(work: Work, frame: int) -> None:
     """Write the vector z of 2004, equation 1: each joint towards its angle in the input."""
-    given, pose, settings = work.given, work.pose, work.settings
+    given, pose, settings = work.given[0], work.pose[0], work.settings[0]
     for node in range(given.parents.shape[0]):
         column = pose.columns[node]
         if column < 0:
@@ -88,10 +106,10 @@ def preserve(work: Work, frame: int) -> None:
                 pose.preserving[column + 3 + axis] = settings.root * way[axis]
 
 
-@inlined
+@shared
 def move(work: Work, scale: float) -> None:
     """Compose the pose with the stack's step, and place it in the world."""
-    given, pose, step = work.given, work.pose, work.stack.step
+    given, pose, step = work.given[0], work.pose[0], work.stack[0].step
     for node in range(given.parents.shape[0]):
         column = pose.columns[node]
         if column < 0:
@@ -106,31 +124,40 @@ def move(work: Work, scale: float) -> None:
             way = turned(back, (step[column + 3], step[column + 4], step[column + 5]))
             for axis in range(3):
                 pose.translations[node, axis] += scale * way[axis]
-    _place(work)
+    place_all(work)
 
 
 @shared
 def save(work: Work) -> None:
     """Keep the pose to come back to it."""
-    for node in range(work.pose.rotations.shape[0]):
+    pose, saved = work.pose[0], work.saved[0]
+    for node in range(pose.rotations.shape[0]):
         for axis in range(3):
-            work.saved.translations[node, axis] = work.pose.translations[node, axis]
+            saved.translations[node, axis] = pose.translations[node, axis]
         for axis in range(4):
-            work.saved.rotations[node, axis] = work.pose.rotations[node, axis]
+            saved.rotations[node, axis] = pose.rotations[node, axis]
 
 
 @shared
 def restore(work: Work) -> None:
     """Come back to the saved pose."""
-    for node in range(work.pose.rotations.shape[0]):
+    pose, saved = work.pose[0], work.saved[0]
+    for node in range(pose.rotations.shape[0]):
         for axis in range(3):
-            work.pose.translations[node, axis] = work.saved.translations[node, axis]
+            pose.translations[node, axis] = saved.translations[node, axis]
         for axis in range(4):
-            work.pose.rotations[node, axis] = work.saved.rotations[node, axis]
-    _place(work)
+            pose.rotations[node, axis] = saved.rotations[node, axis]
+    place_all(work)
 
 
 @shared
-def _place(work: Work) -> None:
-    pose = work.pose
-    place(work.given.parents, pose.translations, pose.rotations, pose.positions, pose.orientations)
+def place_all(work: Work) -> None:
+    """Place every node of the pose in the world."""
+    pose = work.pose[0]
+    place(
+        work.given[0].parents,
+        pose.translations,
+        pose.rotations,
+        pose.positions,
+        pose.orientations,
+    )

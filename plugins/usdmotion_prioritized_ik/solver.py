@@ -6,9 +6,19 @@ from typing import ClassVar
 import numpy as np
 
 from usdmotion import Bools, Problem, Solution, option
+from usdmotion.kernels import apart
 from usdmotion_prioritized_ik.clip import solve_clip
+from usdmotion_prioritized_ik.iteration import converge
 from usdmotion_prioritized_ik.stack import make_stack
-from usdmotion_prioritized_ik.state import Asked, Carried, Input, Pose, Saved, Settings, Work
+from usdmotion_prioritized_ik.state import (
+    Asked,
+    Carried,
+    Given,
+    Parts,
+    Pose,
+    Saved,
+    Settings,
+)
 
 
 @dataclass(frozen=True)
@@ -53,11 +63,13 @@ class PrioritizedIK:
         stops = np.zeros(cast.frame_count, dtype=np.int64)
         if problem.recruited.any():
             settings = Settings(*(getattr(self, name) for name in Settings._fields))
-            solve_clip(_work(problem, settings), translations, rotations, iterations, stops)
+            parts = _parts(problem, settings)
+            once = apart(converge, work=parts)
+            solve_clip(parts, once, translations, rotations, iterations, stops)
         return Solution(translations, rotations, iterations, stops)
 
 
-def _work(problem: Problem, settings: Settings) -> Work:
+def _parts(problem: Problem, settings: Settings) -> Parts:
     """Return a solve's input, and room for all that it needs on the way."""
     cast, table, recruited = problem.cast, problem.table, problem.recruited
     nodes, tasks, levels = cast.node_count, len(table.kind), int(table.level[-1]) + 1
@@ -66,13 +78,14 @@ def _work(problem: Problem, settings: Settings) -> Work:
     def flags(*shape: int) -> Bools:
         return np.zeros(shape, dtype=np.bool_)
 
-    return Work(
-        Input(
+    return (
+        Given(
             cast.parents,
             cast.translates,
             1.0 - cast.stiffness,
             cast.translations,
             cast.rotations,
+            first_task=np.searchsorted(table.level, np.arange(levels + 1)),
         ),
         table,
         settings,
@@ -81,7 +94,6 @@ def _work(problem: Problem, settings: Settings) -> Work:
             rotations=np.zeros((nodes, 4)),
             positions=np.zeros((nodes, 3)),
             orientations=np.zeros((nodes, 4)),
-            recruited=flags(nodes),
             columns=np.zeros(nodes, dtype=np.int64),
             preserving=np.zeros(columns),
         ),

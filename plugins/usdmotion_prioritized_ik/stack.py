@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from usdmotion import Floats, Ints
-from usdmotion.kernels import inlined, shared, summing
+from usdmotion.kernels import Reference, shared, summing
 
 
 class Stack(NamedTuple):
@@ -20,15 +20,19 @@ class Stack(NamedTuple):
     rows: Floats
     """(R, C) weighted Jacobian rows, level by level; consumed by `descend`."""
     errors: Floats
-    """(R,) weighted errors."""
+    """(R,) weighted errors; consumed by `descend`."""
     first_row: Ints
     """(L + 1,) the rows of level l are first_row[l] to first_row[l + 1]."""
+    widths: Ints
+    """(L,) the columns that the first levels move: the rows of level l end at widths[l]."""
     basis: Floats
-    """(R, C) orthonormal rows that span all levels so far."""
+    """(R, C) orthonormal rows that span the projected rows of level l, from first_row[l] on."""
+    ranks: Ints
+    """(L,) how many they are."""
     factor: Floats
-    """(R, R) scratch: the projected rows of a level in terms of its new basis rows."""
+    """(R, R) scratch: the projected rows of a level in terms of its basis, one basis row a line."""
     normal: Floats
-    """(R, R) scratch: damped normal equations of a level."""
+    """(R, R) scratch: damped normal equations of a level, their diagonal inverted."""
     inner: Floats
     """(R,) scratch: what a level moves along its basis rows."""
     norms: Floats
@@ -45,7 +49,9 @@ def make_stack(row_count: int, column_count: int, level_count: int) -> Stack:
         rows=np.zeros(wide),
         errors=np.zeros(row_count),
         first_row=np.zeros(level_count + 1, dtype=np.int64),
+        widths=np.zeros(level_count, dtype=np.int64),
         basis=np.zeros(wide),
+        ranks=np.zeros(level_count, dtype=np.int64),
         factor=np.zeros(square),
         normal=np.zeros(square),
         inner=np.zeros(row_count),
@@ -54,144 +60,125 @@ def make_stack(row_count: int, column_count: int, level_count: int) -> Stack:
     )
 
 
-@inlined
+@shared
 def descend(
-    stack: Stack, level_count: int, columns: int, damping: float, curvature: float, rank: float
-) -> int:
-    """Write the step of the first levels; return how many basis rows they span.
+    stacked: Reference[Stack], levels: int, damping: float, curvature: float, rank: float
+) -> None:
+    """Write the step of the first levels.
 
     Args:
-        stack: Its rows and errors are consumed.
-        level_count: How many levels take part.
-        columns: How many columns are used.
+        stacked: Its rows and errors are consumed.
+        levels: How many levels take part.
         damping: Smallest damping λ₀ [m].
         curvature: What the squared damping grows by, per metre of error [m].
         rank: Shortest projected row that counts as independent [m].
     """
-    for column in range(columns):
+    stack = stacked[0]
+    for column in range(stack.step.shape[0]):
         stack.step[column] = 0.0
-    used = 0
-    for level in range(level_count):
-        first, last = stack.first_row[level], stack.first_row[level + 1]
-        if first == last:
-            continue
-        square = _subtract_done(stack, first, last, used, columns)
-        fresh = _orthogonalize(stack, first, last, used, columns, rank)
-        _solve(stack, first, last, fresh, damping * damping + curvature * math.sqrt(square))
-        for index in range(fresh):
-            add_row(stack.step, stack.basis, used + index, stack.inner[index], columns)
-        used += fresh
-    return used
+    for level in range(levels):
+        error = _subtract_done(stacked, level)
+        _orthogonalize(stacked, level, rank)
+        _solve(stacked, level, damping * damping + curvature * error)
+        first = stack.first_row[level]
+        for index in range(stack.ranks[level]):
+            add(stack.step, stack.basis[first + index], stack.inner[index], stack.widths[level])
 
 
 @shared
-def remove_spanned(stack: Stack, used: int, vector: Floats, columns: int) -> None:
-    """Take from a vector all that would disturb the levels: v ← N v."""
-    for index in range(used):
-        along = row_product(stack.basis, index, vector, columns)
-        add_row(vector, stack.basis, index, -along, columns)
+def remove_spanned(stacked: Reference[Stack], levels: int, vector: Floats) -> None:
+    """Take from a vector all that would disturb the first levels: v ← N v."""
+    stack = stacked[0]
+    for level in range(levels):
+        first = stack.first_row[level]
+        for index in range(first, first + stack.ranks[level]):
+            remove(vector, stack.basis[index], stack.widths[level])
 
 
-@inlined
-def _subtract_done(stack: Stack, first: int, last: int, used: int, columns: int) -> float:
-    """e_i − J_i Δ_{i−1} and J_i N_{i−1}, in place; return the squared error."""
+@shared
+def _subtract_done(stacked: Reference[Stack], level: int) -> float:
+    """e_i − J_i Δ_{i−1} and J_i N_{i−1}, in place; return the length of the error."""
+    stack = stacked[0]
+    width = stack.widths[level]
     square = 0.0
-    for row in range(first, last):
-        if used > 0:
-            stack.errors[row] -= row_product(stack.rows, row, stack.step, columns)
-        for index in range(used):
-            along = rows_product(stack.rows, row, stack.basis, index, columns)
-            add_between(stack.rows, row, stack.basis, index, -along, columns)
+    for row in range(stack.first_row[level], stack.first_row[level + 1]):
+        if level > 0:
+            stack.errors[row] -= product(stack.rows[row], stack.step, width)
+            remove_spanned(stacked, level, stack.rows[row])
         square += stack.errors[row] * stack.errors[row]
-        stack.norms[row] = rows_product(stack.rows, row, stack.rows, row, columns)
-    return square
+        stack.norms[row] = product(stack.rows[row], stack.rows[row], width)
+    return math.sqrt(square)
 
 
-@inlined
-def _orthogonalize(
-    stack: Stack, first: int, last: int, used: int, columns: int, rank: float
-) -> int:
-    """Extend the basis by the level's rows, longest first; dependent ones are dropped."""
-    fresh = 0
-    for row in range(last - first):
-        for index in range(last - first):
-            stack.factor[row, index] = 0.0
-    for _ in range(last - first):
+@shared
+def _orthogonalize(stacked: Reference[Stack], level: int, rank: float) -> None:
+    """Find a basis of the level's rows, longest first; dependent ones are dropped."""
+    stack = stacked[0]
+    first, last, width = stack.first_row[level], stack.first_row[level + 1], stack.widths[level]
+    stack.ranks[level] = 0
+    for fresh in range(last - first):
         longest = first
         for row in range(first + 1, last):
             if stack.norms[row] > stack.norms[longest]:
                 longest = row
-        length = math.sqrt(rows_product(stack.rows, longest, stack.rows, longest, columns))
+        length = math.sqrt(product(stack.rows[longest], stack.rows[longest], width))
         if length <= rank:
             break
-        new = used + fresh
-        for column in range(columns):
-            stack.basis[new, column] = stack.rows[longest, column] / length
-        stack.factor[longest - first, fresh] = length
-        stack.norms[longest] = -1.0
+        stack.ranks[level] += 1
+        for column in range(width):
+            stack.basis[first + fresh, column] = stack.rows[longest, column] / length
         for row in range(first, last):
-            if stack.norms[row] < 0.0:
-                continue
-            along = rows_product(stack.rows, row, stack.basis, new, columns)
-            add_between(stack.rows, row, stack.basis, new, -along, columns)
-            stack.factor[row - first, fresh] = along
-            stack.norms[row] = max(stack.norms[row] - along * along, 0.0)
-        fresh += 1
-    return fresh
+            along = 0.0
+            if row == longest:
+                along = length
+                stack.norms[row] = -1.0
+            elif stack.norms[row] >= 0.0:
+                along = remove(stack.rows[row], stack.basis[first + fresh], width)
+                stack.norms[row] = max(stack.norms[row] - along * along, 0.0)
+            stack.factor[fresh, row - first] = along
 
 
-@inlined
-def _solve(stack: Stack, first: int, last: int, fresh: int, squared_damping: float) -> None:
-    """Solve min ‖L w − e‖² + λ²‖w‖² by Cholesky; L are the projected rows in the new basis."""
+@shared
+def _solve(stacked: Reference[Stack], level: int, squared_damping: float) -> None:
+    """Solve min ‖Lᵀ w − e‖² + λ²‖w‖² by Cholesky; L is the factor."""
+    stack = stacked[0]
     factor, normal, inner = stack.factor, stack.normal, stack.inner
-    for i in range(fresh):
-        total = 0.0
-        for row in range(last - first):
-            total += factor[row, i] * stack.errors[first + row]
-        inner[i] = total
-        for j in range(i + 1):
-            entry = squared_damping if i == j else 0.0
-            for row in range(last - first):
-                entry += factor[row, i] * factor[row, j]
-            for k in range(j):
-                entry -= normal[i, k] * normal[j, k]
-            normal[i, j] = math.sqrt(entry) if i == j else entry / normal[j, j]
-        for k in range(i):
-            inner[i] -= normal[i, k] * inner[k]
-        inner[i] /= normal[i, i]
-    for i in range(fresh - 1, -1, -1):
-        for k in range(i + 1, fresh):
+    first, count = stack.first_row[level], stack.first_row[level + 1] - stack.first_row[level]
+    rank = stack.ranks[level]
+    for i in range(rank):
+        for j in range(i):
+            entry = product(factor[i], factor[j], count) - product(normal[i], normal[j], j)
+            normal[i, j] = entry * normal[j, j]
+        square = product(factor[i], factor[i], count) - product(normal[i], normal[i], i)
+        normal[i, i] = 1.0 / math.sqrt(square + squared_damping)
+        along = product(factor[i], stack.errors[first:], count)
+        inner[i] = (along - product(normal[i], inner, i)) * normal[i, i]
+    for i in range(rank - 1, -1, -1):
+        for k in range(i + 1, rank):
             inner[i] -= normal[k, i] * inner[k]
-        inner[i] /= normal[i, i]
+        inner[i] *= normal[i, i]
 
 
 @summing
-def row_product(matrix: Floats, row: int, vector: Floats, count: int) -> float:
-    """(R, C), (C,) to the product of a row and a vector."""
+def product(a: Floats, b: Floats, count: int) -> float:
+    """(C,), (C,) to the product of the first so many."""
     total = 0.0
     for index in range(count):
-        total += matrix[row, index] * vector[index]
+        total += a[index] * b[index]
     return total
 
 
 @summing
-def rows_product(a: Floats, row_a: int, b: Floats, row_b: int, count: int) -> float:
-    """(R, C), (S, C) to the product of a row of each."""
-    total = 0.0
+def remove(vector: Floats, direction: Floats, count: int) -> float:
+    """(C,), (C,): take from a vector what lies along a unit direction; return how much it was."""
+    along = product(vector, direction, count)
     for index in range(count):
-        total += a[row_a, index] * b[row_b, index]
-    return total
+        vector[index] -= along * direction[index]
+    return along
 
 
-@shared
-def add_row(vector: Floats, matrix: Floats, row: int, factor: float, count: int) -> None:
-    """(C,), (R, C): add a multiple of a row to a vector."""
+@summing
+def add(vector: Floats, other: Floats, factor: float, count: int) -> None:
+    """(C,), (C,): add a multiple of a vector to another."""
     for index in range(count):
-        vector[index] += factor * matrix[row, index]
-
-
-@shared
-def add_between(a: Floats, row_a: int, b: Floats, row_b: int, factor: float, count: int) -> None:
-    """(R, C), (S, C): add a multiple of a row of the second to a row of the first."""
-    for index in range(count):
-        a[row_a, index] += factor * b[row_b, index]
+        vector[index] += factor * other[index]

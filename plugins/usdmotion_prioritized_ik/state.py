@@ -3,12 +3,12 @@
 from typing import NamedTuple
 
 from usdmotion import Bools, Floats, Ints
-from usdmotion.kernels import TaskTable
+from usdmotion.kernels import Reference, TaskTable
 from usdmotion_prioritized_ik.stack import Stack
 
 
-class Input(NamedTuple):
-    """The cast's input motion."""
+class Given(NamedTuple):
+    """The cast's input motion, and what may be moved for the tasks."""
 
     parents: Ints
     """(N,)"""
@@ -20,6 +20,8 @@ class Input(NamedTuple):
     """(F, N, 3)"""
     rotations: Floats
     """(F, N, 4)"""
+    first_task: Ints
+    """(L + 1,) the tasks of level l are first_task[l] to first_task[l + 1]."""
 
 
 class Settings(NamedTuple):
@@ -49,10 +51,8 @@ class Pose(NamedTuple):
     """(N, 3) in the world."""
     orientations: Floats
     """(N, 4) in the world."""
-    recruited: Bools
-    """(N,) which nodes may move."""
     columns: Ints
-    """(N,) first column of each of them, -1 for the others."""
+    """(N,) first column of each node that may move, -1 for the others."""
     preserving: Floats
     """(C,) what would bring the input's joint angles back."""
 
@@ -93,13 +93,17 @@ class Asked(NamedTuple):
 
 
 class Work(NamedTuple):
-    """All of it."""
+    """All of it, by reference."""
 
-    given: Input
-    table: TaskTable
-    settings: Settings
-    pose: Pose
-    saved: Saved
-    carried: Carried
-    asked: Asked
-    stack: Stack
+    given: Reference[Given]
+    table: Reference[TaskTable]
+    settings: Reference[Settings]
+    pose: Reference[Pose]
+    saved: Reference[Saved]
+    carried: Reference[Carried]
+    asked: Reference[Asked]
+    stack: Reference[Stack]
+
+
+Parts = tuple[Given, TaskTable, Settings, Pose, Saved, Carried, Asked, Stack]
+"""What `Work` refers to."""

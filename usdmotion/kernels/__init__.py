@@ -1,11 +1,13 @@
 """Numba kernels: arrays in, arrays out; metres, radians, quaternions xyzw.
 
-`kernel` marks what Python calls; `inlined`, `shared` and `summing` what only kernels call.
+`kernel` marks what Python calls; `shared` and `summing` what only kernels call; `apart` and
+`reference` keep a large kernel quick to compile.
 """
 
-from usdmotion.kernels.compiling import inlined, kernel, shared, summing
+from usdmotion.kernels.compiling import kernel, shared, summing
 from usdmotion.kernels.jacobians import number_columns, task_rows
 from usdmotion.kernels.kinematics import forward, place, relative, world_points
+from usdmotion.kernels.parts import Reference, apart, reference
 from usdmotion.kernels.residuals import residuals, task_error
 from usdmotion.kernels.rotations import (
     chordal_mean,
@@ -21,17 +23,19 @@ from usdmotion.kernels.table import Kind, TaskTable
 
 __all__ = [
     "Kind",
+    "Reference",
     "TaskTable",
+    "apart",
     "chordal_mean",
     "compose",
     "conjugate",
     "forward",
     "from_vector",
-    "inlined",
     "kernel",
     "multiply",
     "number_columns",
     "place",
+    "reference",
     "relative",
     "residuals",
     "rotate",

@@ -3,7 +3,8 @@
 import hashlib
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar, cast
@@ -11,13 +12,34 @@ from typing import Any, TypeVar, cast
 import numba
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
-_OPTIONS = {"nogil": True, "error_model": "numpy"}
+OPTIONS = {"nogil": True, "error_model": "numpy"}
+"""What every function is compiled with."""
 # Without the wrappers that make them callable from Python they compile in half the time.
-_INNER = {**_OPTIONS, "_nrt": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+_INNER = {**OPTIONS, "_nrt": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 
 
 def kernel(function: _Function) -> _Function:
-    """Compile a function that is called from Python, and keep the result on disk.
+    """Compile a function that is called from Python, and keep the result on disk."""
+    with cached_beside(function):
+        return cast(_Function, numba.njit(cache=True, no_cfunc_wrapper=True, **OPTIONS)(function))
+
+
+def shared(function: _Function) -> _Function:
+    """Compile a function that only kernels call.
+
+    Numba compiles it once more for a literal number (`f(x, 0)`), so pass variables.
+    """
+    return cast(_Function, numba.njit(**_INNER)(function))
+
+
+def summing(function: _Function) -> _Function:
+    """Like `shared`, and sums may be taken in several lanes: the order is the compiler's."""
+    return cast(_Function, numba.njit(fastmath={"reassoc", "contract"}, **_INNER)(function))
+
+
+@contextmanager
+def cached_beside(function: Callable[..., Any]) -> Iterator[None]:
+    """Have Numba keep what it compiles in the folder of a function's sources.
 
     Numba does not notice a change in a function of another file, so the folder of the compiled
     code is named by a hash of every kernel source that the function may call: those of this
@@ -27,24 +49,9 @@ def kernel(function: _Function) -> _Function:
     before = numba.config.CACHE_DIR
     numba.config.CACHE_DIR = str(cache_folder(*folders))
     try:
-        return cast(_Function, numba.njit(cache=True, **_OPTIONS)(function))
+        yield
     finally:
         numba.config.CACHE_DIR = before
-
-
-def inlined(function: _Function) -> _Function:
-    """Make a function part of each kernel that calls it: for those called in one place."""
-    return cast(_Function, numba.njit(**_INNER)(function))
-
-
-def shared(function: _Function) -> _Function:
-    """Compile a function once for all kernels that call it."""
-    return cast(_Function, numba.njit(**_INNER)(function))
-
-
-def summing(function: _Function) -> _Function:
-    """Like `shared`, and sums may be taken in several lanes: the order is the compiler's."""
-    return cast(_Function, numba.njit(fastmath={"reassoc", "contract"}, **_INNER)(function))
 
 
 def cache_folder(*folders: Path) -> Path:

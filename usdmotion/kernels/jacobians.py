@@ -8,13 +8,14 @@ import math
 from typing import Any
 
 from usdmotion.arrays import Bools, Floats, Ints
-from usdmotion.kernels.compiling import inlined
+from usdmotion.kernels.compiling import shared
+from usdmotion.kernels.parts import Reference
 from usdmotion.kernels.quaternions import cross, quaternion_at, turned, vector_at, vector_in
 from usdmotion.kernels.residuals import ROTATION, held_axis
 from usdmotion.kernels.table import TaskTable
 
 
-@inlined
+@shared
 def number_columns(recruited: Bools, translates: Bools, columns: Ints) -> int:
     """(N,), (N,) into (N,): first column of each recruited node, −1 for the others; their count."""
     count = 0
@@ -26,56 +27,55 @@ def number_columns(recruited: Bools, translates: Bools, columns: Ints) -> int:
     return count
 
 
-@inlined
+@shared
 def task_rows(
-    table: TaskTable,
+    tasks: Reference[TaskTable],
     frame: int,
     task: int,
     parents: Ints,
     translates: Bools,
     columns: Ints,
-    column_count: int,
+    width: int,
     positions: Floats,
     orientations: Floats,
     error: Any,
     rows: Floats,
-    row: int,
     errors: Floats,
     block: Floats,
 ) -> int:
     """Write the rows of one task and their errors, unweighted; return how many they are.
 
     Args:
-        table: All tasks.
+        tasks: All of them.
         frame: Frame of the per-frame targets.
         task: Which one.
         parents: (N,).
         translates: (N,) nodes that also translate.
         columns: (N,) first column of each node, -1 where it is not recruited.
-        column_count: How many columns are used.
+        width: How many columns are used.
         positions: (N, 3) of the pose.
         orientations: (N, 4) of the pose.
         error: What is to be made up for, as `task_error` gives it.
-        rows: (R, C), written from `row` on.
-        row: Where its rows begin.
-        errors: At least (3,), to be written.
+        rows: (3, C), to be written.
+        errors: (3,), to be written.
         block: Scratch, (3, C).
     """
+    table = tasks[0]
     whole = table.axes[task, 0] and table.axes[task, 1] and table.axes[task, 2]
     free = vector_at(table.free_axis, task)
     turning = free[0] != 0.0 or free[1] != 0.0 or free[2] != 0.0
     direct = whole and not turning
-    target, first = (rows, row) if direct else (block, 0)
-    for index in range(3):
-        for column in range(column_count):
-            target[first + index, column] = 0.0
+    target = rows if direct else block
+    for row in range(3):
+        for column in range(width):
+            target[row, column] = 0.0
     if table.kind[task] == ROTATION:
-        _turn_block(table, frame, task, parents, columns, target, first)
+        _turn_block(tasks, frame, task, parents, columns, target)
     else:
         for term in range(table.first_term[task], table.first_term[task + 1]):
             _add_point(
-                table, frame, task, term, parents, translates, columns,
-                positions, orientations, target, first,
+                tasks, frame, task, term, parents, translates, columns,
+                positions, orientations, target,
             )  # fmt: skip
     if direct:
         for axis in range(3):
@@ -83,17 +83,16 @@ def task_rows(
         return 3
     if turning:
         node = table.term_node[table.first_term[task]]
-        axis = turned(quaternion_at(orientations, node), free)
-        return _two_rows(axis, error, block, rows, row, column_count, errors)
+        held = turned(quaternion_at(orientations, node), free)
+        return _two_rows(held, error, block, rows, width, errors)
     return _held_rows(
-        table, frame, task, parents, columns, column_count, orientations,
-        error, block, rows, row, errors,
+        tasks, frame, task, parents, columns, width, orientations, error, block, rows, errors,
     )  # fmt: skip
 
 
-@inlined
+@shared
 def _add_point(
-    table: TaskTable,
+    tasks: Reference[TaskTable],
     frame: int,
     task: int,
     term: int,
@@ -103,9 +102,9 @@ def _add_point(
     positions: Floats,
     orientations: Floats,
     rows: Floats,
-    row: int,
 ) -> None:
     """Add the Jacobian of one term's point to three rows."""
+    table = tasks[0]
     node = table.term_node[term]
     factor = table.term_coefficient[frame, term]
     point = turned(quaternion_at(orientations, node), vector_in(table.term_point, frame, term))
@@ -118,50 +117,50 @@ def _add_point(
             rx = factor * (x - positions[node, 0])
             ry = factor * (y - positions[node, 1])
             rz = factor * (z - positions[node, 2])
-            rows[row, column + 1] += rz
-            rows[row, column + 2] -= ry
-            rows[row + 1, column + 2] += rx
-            rows[row + 1, column] -= rz
-            rows[row + 2, column] += ry
-            rows[row + 2, column + 1] -= rx
+            rows[0, column + 1] += rz
+            rows[0, column + 2] -= ry
+            rows[1, column + 2] += rx
+            rows[1, column] -= rz
+            rows[2, column] += ry
+            rows[2, column + 1] -= rx
             if translates[node]:
                 for axis in range(3):
-                    rows[row + axis, column + 3 + axis] += factor
+                    rows[axis, column + 3 + axis] += factor
         node = parents[node]
 
 
-@inlined
+@shared
 def _add_turn(
-    table: TaskTable,
+    tasks: Reference[TaskTable],
     task: int,
     parents: Ints,
     columns: Ints,
     node: int,
     factor: float,
     rows: Floats,
-    row: int,
 ) -> None:
+    table = tasks[0]
     while node >= 0:
         column = columns[node]
         if column >= 0 and table.recruits[task, node]:
             for axis in range(3):
-                rows[row + axis, column + axis] += factor
+                rows[axis, column + axis] += factor
         node = parents[node]
 
 
-@inlined
+@shared
 def _turn_block(
-    table: TaskTable,
+    tasks: Reference[TaskTable],
     frame: int,
     task: int,
     parents: Ints,
     columns: Ints,
     rows: Floats,
-    row: int,
 ) -> None:
     """The node's turning minus that of the frames its goals are in."""
+    table = tasks[0]
     node = table.term_node[table.first_term[task]]
-    _add_turn(table, task, parents, columns, node, 1.0, rows, row)
+    _add_turn(tasks, task, parents, columns, node, 1.0, rows)
     total = 0.0
     for goal in range(table.first_goal[task], table.first_goal[task + 1]):
         total += table.goal_weight[frame, goal]
@@ -169,68 +168,66 @@ def _turn_block(
         node = table.goal_node[goal]
         if node >= 0 and total > 0.0:
             share = table.blend[frame, task] * table.goal_weight[frame, goal] / total
-            _add_turn(table, task, parents, columns, node, -share, rows, row)
+            _add_turn(tasks, task, parents, columns, node, -share, rows)
 
 
-@inlined
+@shared
 def _two_rows(
-    axis: Any, error: Any, block: Floats, rows: Floats, row: int, count: int, errors: Floats
+    axis: Any, error: Any, block: Floats, rows: Floats, width: int, errors: Floats
 ) -> int:
     """Keep the two directions of a turn that move an axis; turning about it is free."""
     other = (1.0, 0.0, 0.0) if abs(axis[0]) < 0.6 else (0.0, 1.0, 0.0)
     first = _unit(cross(axis, other))
     second = _unit(cross(axis, first))
-    errors[0] = _project(first, error, block, rows, row, count)
-    errors[1] = _project(second, error, block, rows, row + 1, count)
+    errors[0] = _project(first, error, block, rows[0], width)
+    errors[1] = _project(second, error, block, rows[1], width)
     return 2
 
 
-@inlined
+@shared
 def _held_rows(
-    table: TaskTable,
+    tasks: Reference[TaskTable],
     frame: int,
     task: int,
     parents: Ints,
     columns: Ints,
-    column_count: int,
+    width: int,
     orientations: Floats,
     error: Any,
     block: Floats,
     rows: Floats,
-    row: int,
     errors: Floats,
 ) -> int:
     """Keep the held axes; where they turn with a node, so does what is measured along them."""
+    table = tasks[0]
     count = 0
     for axis in range(3):
         if not table.axes[task, axis]:
             continue
-        direction = held_axis(table, frame, task, axis, orientations)
-        errors[count] = _project(direction, error, block, rows, row + count, column_count)
+        direction = held_axis(tasks, frame, task, axis, orientations)
+        errors[count] = _project(direction, error, block, rows[count], width)
         lever = cross(direction, error)
         node = table.axes_node[task]
         while node >= 0:
             column = columns[node]
             if column >= 0 and table.recruits[task, node]:
                 for part in range(3):
-                    rows[row + count, column + part] -= lever[part]
+                    rows[count, column + part] -= lever[part]
             node = parents[node]
         count += 1
     return count
 
 
-@inlined
-def _project(
-    direction: Any, error: Any, block: Floats, rows: Floats, row: int, count: int
-) -> float:
+@shared
+def _project(direction: Any, error: Any, block: Floats, row: Floats, width: int) -> float:
     """Write one row along a direction; return the error along it."""
     x, y, z = direction
-    for column in range(count):
-        rows[row, column] = x * block[0, column] + y * block[1, column] + z * block[2, column]
+    for column in range(width):
+        row[column] = x * block[0, column] + y * block[1, column] + z * block[2, column]
     return float(x * error[0] + y * error[1] + z * error[2])
 
 
-@inlined
+@shared
 def _unit(v: Any) -> Any:
     scale = 1.0 / math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
     return (v[0] * scale, v[1] * scale, v[2] * scale)

@@ -7,6 +7,7 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.kernels.compiling import kernel, shared
+from usdmotion.kernels.parts import Reference, reference
 from usdmotion.kernels.quaternions import (
     Quaternion,
     Vector,
@@ -30,22 +31,24 @@ ROTATION = int(Kind.ROTATION)
 @kernel
 def residuals(table: TaskTable, positions: Floats, orientations: Floats) -> Floats:
     """(F, N, 3), (F, N, 4) to (F, T): metres for points, radians for rotations."""
+    tasks = reference(table)
     frames, count = positions.shape[0], table.kind.shape[0]
     errors = np.empty((frames, count))
     for frame in range(frames):
         for task in range(count):
-            error = task_error(table, frame, task, positions[frame], orientations[frame])
-            errors[frame, task] = held_length(table, frame, task, error, orientations[frame])
+            error = task_error(tasks, frame, task, positions[frame], orientations[frame])
+            errors[frame, task] = held_length(tasks, frame, task, error, orientations[frame])
     return errors
 
 
 @shared
 def task_error(
-    table: TaskTable, frame: int, task: int, positions: Floats, orientations: Floats
+    tasks: Reference[TaskTable], frame: int, task: int, positions: Floats, orientations: Floats
 ) -> Vector:
     """Return the world vector from what is to what is asked: metres, or a rotation vector."""
+    table = tasks[0]
     if table.kind[task] == ROTATION:
-        return _turn_error(table, frame, task, orientations)
+        return _turn_error(tasks, frame, task, orientations)
     x, y, z = vector_in(table.target, frame, task)
     for term in range(table.first_term[task], table.first_term[task + 1]):
         node = table.term_node[term]
@@ -58,20 +61,26 @@ def task_error(
 
 
 @shared
-def held_length(table: TaskTable, frame: int, task: int, error: Any, orientations: Floats) -> float:
+def held_length(
+    tasks: Reference[TaskTable], frame: int, task: int, error: Any, orientations: Floats
+) -> float:
     """Return the length of an error along the directions that the task holds."""
+    table = tasks[0]
     square = 0.0
     for axis in range(3):
         if table.axes[task, axis]:
-            direction = held_axis(table, frame, task, axis, orientations)
+            direction = held_axis(tasks, frame, task, axis, orientations)
             along = direction[0] * error[0] + direction[1] * error[1] + direction[2] * error[2]
             square += along * along
     return math.sqrt(square)
 
 
 @shared
-def held_axis(table: TaskTable, frame: int, task: int, axis: int, orientations: Floats) -> Vector:
+def held_axis(
+    tasks: Reference[TaskTable], frame: int, task: int, axis: int, orientations: Floats
+) -> Vector:
     """Return the world direction of one of the axes along which a point is held."""
+    table = tasks[0]
     x = 1.0 if axis == 0 else 0.0
     y = 1.0 if axis == 1 else 0.0
     z = 1.0 if axis == 2 else 0.0
@@ -83,9 +92,10 @@ def held_axis(table: TaskTable, frame: int, task: int, axis: int, orientations: 
 
 
 @shared
-def _turn_error(table: TaskTable, frame: int, task: int, orientations: Floats) -> Vector:
+def _turn_error(tasks: Reference[TaskTable], frame: int, task: int, orientations: Floats) -> Vector:
+    table = tasks[0]
     node = table.term_node[table.first_term[task]]
-    asked = asked_orientation(table, frame, task, orientations)
+    asked = asked_orientation(tasks, frame, task, orientations)
     free = vector_at(table.free_axis, task)
     offset = quaternion_at(table.offset, task)
     frame_turn = quaternion_at(orientations, node)
@@ -98,18 +108,21 @@ def _turn_error(table: TaskTable, frame: int, task: int, orientations: Floats) -
 
 
 @shared
-def asked_orientation(table: TaskTable, frame: int, task: int, orientations: Floats) -> Quaternion:
+def asked_orientation(
+    tasks: Reference[TaskTable], frame: int, task: int, orientations: Floats
+) -> Quaternion:
     """Return the composite goal of a rotation task: a mean of the goals, blended in."""
+    table = tasks[0]
     first, last = table.first_goal[task], table.first_goal[task + 1]
     blend = table.blend[frame, task]
     start = quaternion_in(table.original, frame, task)
     if first == last or blend == 0.0:
         return start
     if last == first + 1:
-        return interpolated(start, _goal(table, frame, first, orientations), blend)
-    mean = _goal(table, frame, first, orientations)
+        return interpolated(start, _goal(tasks, frame, first, orientations), blend)
+    mean = _goal(tasks, frame, first, orientations)
     for _ in range(200):
-        nearer = _drawn_to_goals(table, frame, task, orientations, mean)
+        nearer = _drawn_to_goals(tasks, frame, task, orientations, mean)
         change = 0.0
         for axis in range(4):
             change = max(change, abs(nearer[axis] - mean[axis]))
@@ -121,12 +134,13 @@ def asked_orientation(table: TaskTable, frame: int, task: int, orientations: Flo
 
 @shared
 def _drawn_to_goals(
-    table: TaskTable, frame: int, task: int, orientations: Floats, mean: Quaternion
+    tasks: Reference[TaskTable], frame: int, task: int, orientations: Floats, mean: Quaternion
 ) -> Quaternion:
     """One power iteration on Σ w q qᵀ, whose first eigenvector is the chordal mean."""
+    table = tasks[0]
     x, y, z, w = 0.0, 0.0, 0.0, 0.0
     for goal in range(table.first_goal[task], table.first_goal[task + 1]):
-        q = _goal(table, frame, goal, orientations)
+        q = _goal(tasks, frame, goal, orientations)
         along = q[0] * mean[0] + q[1] * mean[1] + q[2] * mean[2] + q[3] * mean[3]
         along *= table.goal_weight[frame, goal]
         x += along * q[0]
@@ -137,7 +151,8 @@ def _drawn_to_goals(
 
 
 @shared
-def _goal(table: TaskTable, frame: int, goal: int, orientations: Floats) -> Quaternion:
+def _goal(tasks: Reference[TaskTable], frame: int, goal: int, orientations: Floats) -> Quaternion:
+    table = tasks[0]
     q = quaternion_in(table.goal_rotation, frame, goal)
     node = table.goal_node[goal]
     if node >= 0:

@@ -22,7 +22,8 @@ def conjugate(q: Floats) -> Floats:
 def rotate(q: Floats, v: Floats) -> Floats:
     """(…, 4), (…, 3) to (…, 3): the vectors turned."""
     twice = 2.0 * np.cross(q[..., :3], v)
-    return cast(Floats, v + q[..., 3:] * twice + np.cross(q[..., :3], twice))
+    turned: Floats = v + q[..., 3:] * twice + np.cross(q[..., :3], twice)
+    return turned
 
 
 def normalize(q: Floats) -> Floats:

@@ -19,6 +19,7 @@ from usdmotion.kernels import (
     kernel,
     multiply,
     number_columns,
+    reference,
     rotate,
     task_error,
     task_rows,
@@ -141,9 +142,9 @@ def _measure(
     vectors: Floats,
 ) -> None:
     """(N, 3), (N, 4), (T, 3) into (3T, C), (3T,), (T, 3): weighted rows; absent tasks have none."""
-    block = np.empty((3, rows.shape[1]))
+    tasks, block = reference(table), np.empty((3, rows.shape[1]))
     for task in range(table.kind.shape[0]):
-        error = task_error(table, frame, task, positions, orientations)
+        error = task_error(tasks, frame, task, positions, orientations)
         for axis in range(3):
             vectors[task, axis] = error[axis]
         if table.activity[frame, task] == 0.0:
@@ -151,8 +152,8 @@ def _measure(
         first = 3 * task
         wanted = (error[0] - kept[task, 0], error[1] - kept[task, 1], error[2] - kept[task, 2])
         task_rows(
-            table, frame, task, parents, translates, columns, rows.shape[1], positions,
-            orientations, wanted, rows, first, errors[first : first + 3], block,
+            tasks, frame, task, parents, translates, columns, rows.shape[1], positions,
+            orientations, wanted, rows[first : first + 3], errors[first : first + 3], block,
         )  # fmt: skip
         scale = np.sqrt(table.weight[frame, task])
         rows[first : first + 3] *= scale

@@ -1,0 +1,62 @@
+"""What lets a large kernel be compiled in parts, in a fraction of the time.
+
+Numba compiles a function together with all that it calls, and then once more inside whatever calls
+it. So what is large is handed to a kernel as an argument, and is compiled once; and what would be
+hundreds of values in every call, a tuple of arrays, is passed on as one address.
+"""
+
+from collections.abc import Callable, Sequence
+from functools import cache
+from inspect import signature
+from typing import Any, TypeAlias, TypeVar, cast, get_type_hints
+
+import numba
+from numba import types
+from numba.core import cgutils
+from numba.extending import intrinsic
+
+from usdmotion.kernels.compiling import OPTIONS, cached_beside
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+_Value = TypeVar("_Value")
+_NUMBERS = {bool: types.boolean, int: types.int64, float: types.float64}
+
+Reference: TypeAlias = Sequence[_Value]
+"""The address of a value inside a kernel; the value is its only item."""
+
+
+@intrinsic  # type: ignore[untyped-decorator]
+def reference(typing_context: Any, value: Any) -> Any:
+    """Return a `Reference` to a value, good until the function that made it returns."""
+
+    def build(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return cgutils.alloca_once_value(builder, arguments[0])
+
+    return types.CPointer(value)(value), build
+
+
+def apart(function: _Function, **referring: Any) -> _Function:
+    """Compile a function by itself, to be handed to kernels as an argument.
+
+    Args:
+        function: Numbers are what its annotations say.
+        referring: Those of its arguments that are named tuples of references: an example of the
+            values that each refers to.
+    """
+    hints = get_type_hints(function)
+    arguments = [
+        _references(hints[name], referring[name]) if name in referring else _NUMBERS[hints[name]]
+        for name in signature(function).parameters
+    ]
+    return cast(_Function, _compiled(function, _NUMBERS[hints["return"]](*arguments)))
+
+
+@cache
+def _compiled(function: Callable[..., Any], signature: Any) -> Any:
+    with cached_beside(function):
+        return numba.cfunc(signature, cache=True, **OPTIONS)(function)
+
+
+def _references(kind: type, values: Any) -> Any:
+    """Return the type of a named tuple of references to some values."""
+    return types.NamedTuple([types.CPointer(numba.typeof(each)) for each in values], kind)
