@@ -41,8 +41,9 @@ ARM_LIMB = Limb(
     needed=ARM[1:],
     words={
         **_meaning(_CLAVICLE, 2.0, "clavicle collar collarbone clav clavicula sternoclavicular"),
-        **_meaning(_SHOULDER, 3.0, "upperarm uparm armupper humerus"),
-        **_meaning(_ELBOW, 3.0, "elbow forearm lowerarm lowarm loarm armlower radius ulna"),
+        **_meaning(_SHOULDER, 3.0, "upperarm uparm armupper humerus shldrbend"),
+        **_meaning(_ELBOW, 3.0, "elbow forearm lowerarm lowarm loarm armlower"),
+        **_meaning(_ELBOW, 3.0, "radius ulna forearmbend"),
         **_meaning(_WRIST, 3.0, "wrist hand radiocarpal"),
         "arm": {_SHOULDER: 2.0, _ELBOW: 1.0},
         "shoulder": {_SHOULDER: 1.0, _CLAVICLE: 0.5},
@@ -56,7 +57,7 @@ LEG_LIMB = Limb(
     chain=LEG,
     needed=LEG[:3],
     words={
-        **_meaning(_HIP, 3.0, "thigh upleg upperleg legupper femur"),
+        **_meaning(_HIP, 3.0, "thigh upleg upperleg legupper femur thighbend"),
         **_meaning(_KNEE, 3.0, "knee calf shin shank tibia lowerleg lowleg loleg leglower"),
         **_meaning(_ANKLE, 3.0, "ankle talocrural"),
         **_meaning(_TOE, 2.0, "toe toes toebase ball forefoot metatarsophalangeal"),
