@@ -29,6 +29,8 @@ class Character:
     """The skeleton's own space in the world at those times."""
     root: int
     """The joint that also translates when a constraint recruits it."""
+    masses_from: str = "authored"
+    """Where the body's masses are from, as a report says it."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -174,7 +174,7 @@ def _solve_scene(
         motion = _motion(scene, edit.skeleton, solution)
         return Result(edit.path, motion, chosen.name, settings)
 
-    notes = map(sentence, broken(scene))
+    notes = (*scene.notes, *map(sentence, broken(scene)))
     return _Solved(tuple(map(report, scene.edits)), tuple(map(result, scene.edits)), tuple(notes))
 
 

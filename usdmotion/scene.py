@@ -63,3 +63,14 @@ class Scene:
     def character(self, path: str) -> Character:
         """Return the character of a skeleton."""
         return next(character for character in self.characters if character.path == path)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """One sentence about each thing that was not said and had to be taken from elsewhere."""
+        weighed = {each.skeleton for each in self.constraints if each.weighs}
+        return tuple(
+            f"the masses of <{each.path}> are from {each.masses_from}; author usdmotion:masses to "
+            "say otherwise"
+            for each in self.characters
+            if each.path in weighed and each.masses_from != "authored"
+        )

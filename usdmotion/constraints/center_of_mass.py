@@ -25,6 +25,7 @@ class CenterOfMassConstraint(Constraint):
     """
 
     schema: ClassVar[str] = "MotionCenterOfMassConstraint"
+    weighs: ClassVar[bool] = True
     supports: tuple[str, ...] = attribute(())
     """Joints that carry the support points; none: its own trajectory."""
     support_points: Floats = attribute(lambda: np.zeros((0, 3)), unit="length", frame="supports")

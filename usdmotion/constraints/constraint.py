@@ -22,6 +22,8 @@ class Constraint:
     """Name of the prim type, for example `MotionPositionConstraint`."""
     unit: ClassVar[str] = "m"
     """Unit of what is left of it: `m` or `deg`."""
+    weighs: ClassVar[bool] = False
+    """Whether it depends on what the body weighs, so that a report says where that is from."""
 
     path: str
     """Path of its prim."""

@@ -5,14 +5,16 @@ from dataclasses import dataclass
 import numpy as np
 from pxr import Usd
 
+from usdmotion.anthropometry import with_masses
 from usdmotion.arrays import Floats, Ints
 from usdmotion.cast import Character
 from usdmotion.errors import SceneError
+from usdmotion.humanoid import recognize
 from usdmotion.motion import Motion, Placement, Skeleton
 from usdmotion.usd.clips import own_times, resample, sample
 from usdmotion.usd.faults.skeletons import find_unreadable_animations
 from usdmotion.usd.relations import clip_joints
-from usdmotion.usd.roots import root_joint, travelling
+from usdmotion.usd.roots import parts_of, root_joint, travelling
 from usdmotion.usd.scaling import (
     Scaling,
     columns_of,
@@ -73,10 +75,17 @@ def read_character(
     scaling = scaling_of(joints, of_space, scales)
     motion = _motion(solved, columns, rest, scaling, facts, name)
     frames = len(time_codes)
+    shape = _skeleton(joints, of_space[:1], motion)
+    body, masses_from = with_masses(
+        shape,
+        read_body(skeleton, joints, scaling.of_joints[0]),
+        recognize(shape, parts_of(skeleton, len(joints.tokens))),
+    )
     character = Character(
         path=joints.path,
-        skeleton=_skeleton(joints, of_space[:1], motion),
-        body=read_body(skeleton, joints, scaling.of_joints[0]),
+        skeleton=shape,
+        body=body,
+        masses_from=masses_from,
         motion=motion,
         placement=Placement(
             np.broadcast_to(placed, (frames, 3)), np.broadcast_to(turned, (frames, 4))

@@ -7,11 +7,12 @@ import numpy as np
 from pxr import Usd, UsdSkel
 
 from usdmotion.arrays import Bools, Floats, Ints
+from usdmotion.errors import SceneError
+from usdmotion.humanoid import pelvis
+from usdmotion.motion import Skeleton
 from usdmotion.usd.relations import clip_joints, joints_of, value
 from usdmotion.usd.shot import Singles
 
-ROOT_PARTS = ("humanoid_root", "sacroiliac")
-"""The H-Anim parts that are the pelvis, the better one first."""
 _STILL = 1e-3
 """Share of a usual joint's length below which the travel of a joint is noise."""
 
@@ -32,18 +33,19 @@ def root_of(skeleton: Usd.Prim, animation: Usd.Prim | None) -> int:
 def root_joint(skeleton: Usd.Prim, parents: Ints, travels: Bools) -> int:
     """Return the joint with six degrees of freedom.
 
-    It is the pelvis where the skeleton names one, else the topmost joint that travels and carries
-    at least half of all joints (a knee that stretches does not), else the top joint.
+    It is the pelvis where the skeleton says or shows which joint that is, else the topmost joint
+    that travels and carries at least half of all joints (a knee that stretches does not), else the
+    top joint.
 
     Args:
         skeleton: The Skeleton prim.
         parents: Parent of each of its joints, -1 for none.
         travels: Which of them change their translation over time.
     """
-    parts = [str(part) for part in value(skeleton, "usdmotion:parts", ())][: len(parents)]
-    for pelvis in ROOT_PARTS:
-        if pelvis in parts:
-            return parts.index(pelvis)
+    shape = in_rest(skeleton, parents)
+    known = pelvis(shape, parts_of(skeleton, len(parents))) if shape is not None else None
+    if known is not None:
+        return known
     carried = np.ones(len(parents))
     for joint in range(len(parents) - 1, -1, -1):
         if parents[joint] >= 0:
@@ -53,6 +55,23 @@ def root_joint(skeleton: Usd.Prim, parents: Ints, travels: Bools) -> int:
         depths[joint] = depths[parent] + 1 if parent >= 0 else 0
     fit = travels & (2 * carried >= len(parents))
     return int(np.argmin(np.where(fit, depths, depths + len(depths))))
+
+
+def in_rest(skeleton: Usd.Prim, parents: Ints) -> Skeleton | None:
+    """Return the joints of a Skeleton in their rest pose, which may be nowhere; None if unsound."""
+    tokens, count = joints_of(skeleton), len(parents)
+    matrices = np.array(value(skeleton, "restTransforms", ()), dtype=np.float64)
+    places = matrices[:, 3, :3] if matrices.shape == (count, 4, 4) else np.zeros((count, 3))
+    try:
+        return Skeleton(tokens, parents, places, np.tile((0.0, 0.0, 0.0, 1.0), (count, 1)))
+    except SceneError:
+        return None  # other checks say so
+
+
+def parts_of(skeleton: Usd.Prim, count: int) -> tuple[str, ...]:
+    """Return the parts that a Skeleton names, none where they are not one for each joint."""
+    parts = tuple(str(part) for part in value(skeleton, "usdmotion:parts", ()))
+    return parts if len(parts) == count else ()
 
 
 def travelling(translations: Floats | Singles, columns: Ints) -> Bools:
