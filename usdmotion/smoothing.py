@@ -3,8 +3,6 @@
 from dataclasses import replace
 
 import numpy as np
-from scipy.ndimage import convolve1d
-from scipy.signal import firwin
 
 from usdmotion.arrays import Floats
 from usdmotion.kernels import conjugate, from_vector, multiply, to_vector
@@ -75,6 +73,9 @@ def low_pass(times: Floats, values: Floats, cutoff: float) -> Floats:
         values: Shape (frame_count, …).
         cutoff: Frequency at which half the amplitude is left [Hz].
     """
+    from scipy.ndimage import convolve1d  # slow to import, and seldom needed
+    from scipy.signal import firwin
+
     if len(times) < 3:
         return values
     step = float(np.diff(times).min())
