@@ -270,3 +270,15 @@ def test_inspecting_shows_edits_and_constraints_without_solving(arm_shot: ArmSho
     assert [edit.path for edit in found.edits] == [EDIT]
     assert [constraint.path for constraint in found.constraints] == [f"{EDIT}/Wrist"]
     assert found.faults == ()
+
+
+def test_frames_that_were_left_at_the_iteration_limit_are_said(
+    arm_shot: ArmShot, tmp_path: Path
+) -> None:
+    shot, output = arm_shot(), tmp_path / "out.usda"
+    report = solve(shot, output, options={"iterations": 1, "posture_change": 0.0})
+    (note,) = (each for each in report.notes if "iteration limit" in each)
+    assert note == (
+        "/Arm/Skeleton/Edit: 12 of 12 frames were left at the iteration limit, still moving"
+    )
+    assert not any("iteration limit" in each for each in solve(shot, output).notes)

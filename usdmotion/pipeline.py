@@ -24,7 +24,7 @@ from usdmotion.report import ConstraintReport, EditReport, Report, judge
 from usdmotion.resampling import evenly
 from usdmotion.scene import Edit, Scene
 from usdmotion.smoothing import enforced
-from usdmotion.solving import Problem, Solution, Solver
+from usdmotion.solving import STOPS, Problem, Solution, Solver
 
 if TYPE_CHECKING:
     from usdmotion.usd import Inspection, Result
@@ -174,7 +174,7 @@ def _solve_scene(
         motion = _motion(scene, edit.skeleton, solution)
         return Result(edit.path, motion, chosen.name, settings)
 
-    notes = (*scene.notes, *map(sentence, broken(scene)))
+    notes = (*scene.notes, *_unsettled(names, solution), *map(sentence, broken(scene)))
     return _Solved(tuple(map(report, scene.edits)), tuple(map(result, scene.edits)), tuple(notes))
 
 
@@ -191,6 +191,16 @@ def _configured(edits: Sequence[Edit], solver: str | None, options: Mapping[str,
                 "solvers or options; make them equal, or name one of them with --edit"
             )
     return configured(host().solver(name), carried[first.path] | dict(options))
+
+
+def _unsettled(names: str, solution: Solution) -> Iterable[str]:
+    """Yield what there is to say where a solve was left before it came to rest."""
+    frames = int((solution.stops == STOPS.index("iteration limit")).sum())
+    if frames:
+        yield (
+            f"{names}: {frames} of {len(solution.stops)} frames were left at the iteration limit, "
+            "still moving"
+        )
 
 
 def _passes(edits: Sequence[Edit]) -> tuple[float, int]:

@@ -66,16 +66,14 @@ def task_rows(
     turning = free[0] != 0.0 or free[1] != 0.0 or free[2] != 0.0
     direct = whole and not turning
     target = rows if direct else block
-    for row in range(3):
-        for column in range(width):
-            target[row, column] = 0.0
+    _clear(target, width)
     if table.kind[task] == ROTATION:
         _turn_block(tasks, frame, task, parents, columns, target)
     else:
         for term in range(table.first_term[task], table.first_term[task + 1]):
             _add_point(
-                tasks, frame, task, term, parents, translates, columns,
-                positions, orientations, target,
+                tasks, frame, task, term, parents, translates, columns, positions, orientations,
+                target,
             )  # fmt: skip
     if direct:
         for axis in range(3):
@@ -88,6 +86,13 @@ def task_rows(
     return _held_rows(
         tasks, frame, task, parents, columns, width, orientations, error, block, rows, errors,
     )  # fmt: skip
+
+
+@shared
+def _clear(rows: Floats, width: int) -> None:
+    for row in range(3):
+        for column in range(width):
+            rows[row, column] = 0.0
 
 
 @shared
