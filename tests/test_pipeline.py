@@ -122,7 +122,7 @@ def test_what_is_probably_not_meant_goes_with_the_answer(arm_shot: ArmShot, tmp_
     low.GetAttribute("usdmotion:joint").Set("base/shoulder/elbow")
     low.GetAttribute("usdmotion:priority").Set(2)
     stage.GetRootLayer().Save()
-    rests, rule = solve(shot, tmp_path / "out.usda").notes
+    rests, *_, rule = solve(shot, tmp_path / "out.usda").notes
     assert rests.startswith("</Arm/Animation> has no scales, so USD shows the rest pose")
     assert rule.startswith(f"<{EDIT}/Low> moves joints above <{EDIT}/Wrist>")
 

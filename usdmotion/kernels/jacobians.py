@@ -76,8 +76,7 @@ def task_rows(
                 target,
             )  # fmt: skip
     if direct:
-        for axis in range(3):
-            errors[axis] = error[axis]
+        errors[0], errors[1], errors[2] = error
         return 3
     if turning:
         node = table.term_node[table.first_term[task]]
