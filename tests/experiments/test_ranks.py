@@ -98,7 +98,7 @@ def breaking(tmp_path):
 
 
 def test_a_stack_that_breaks_the_recruiting_rule_is_named_with_what_mends_it(breaking, solve):
-    notes = solve(breaking, SKELETON).report.notes
+    notes = [each for each in solve(breaking, SKELETON).report.notes if "recruit" in each]
     assert len(notes) == 2
     for side in ("Left", "Right"):
         (note,) = (each for each in notes if f"{SKELETON}/Edit/{side}Heel" in each)
@@ -110,7 +110,7 @@ def test_mended_the_high_constraint_is_met_and_the_low_one_gets_nearer(breaking,
     point = walk(seconds=1.0).heel_point
     broken = solve(breaking, SKELETON)
     mended = solve(breaking, SKELETON, mend_recruiting=True)
-    assert not mended.report.notes
+    assert not any("recruit" in each for each in mended.report.notes)
     for solved in (broken, mended):
         # Even a broken stack keeps its ranks here: the wrist gets only as far as the feet allow.
         assert max(solved.moved(f"{side}Foot", point) for side in ("Left", "Right")) <= 0.01
