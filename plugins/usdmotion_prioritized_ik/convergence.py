@@ -8,7 +8,9 @@ from usdmotion_prioritized_ik.posture import carry_over, recruit, restore, save,
 from usdmotion_prioritized_ik.state import Work
 
 Converge = Callable[[Work, int, int, int, bool, float], int]
-"""`iteration.converge`, handed over."""
+"""`converge`, handed over."""
+SolveLevels = Callable[[Work, Converge, int, bool], int]
+"""`solve_levels`, handed over."""
 SETTLED, LIMIT = 1, 2
 MISSED = 1e-7
 """An error above this, after the finish, is out of reach [m or rad]."""
@@ -18,9 +20,8 @@ FEW = 6
 """Iterations that are enough for whatever is within reach."""
 
 
-@shared
-def solve_levels(work: Work, converge: Converge, frame: int, final: bool) -> tuple[int, int]:
-    """Solve the tasks that are on; return the iterations spent, and why they ended.
+def solve_levels(work: Work, converge: Converge, frame: int, final: bool) -> int:
+    """Solve the tasks that are on; return why it ended.
 
     Projection is exact only to first order, so that a level that is missed still gives way to the
     levels under it. What it attains without them is therefore found first, and kept as its goal
@@ -53,7 +54,8 @@ def solve_levels(work: Work, converge: Converge, frame: int, final: bool) -> tup
             carry_over(work, frame, level)
     if final:
         carry_over(work, frame, levels - 1)
-    return spent, stop
+    work.motion[0].iterations[frame] += spent
+    return stop
 
 
 @shared

@@ -2,9 +2,10 @@
 
 import math
 
+from usdmotion import Floats
 from usdmotion.kernels import Kind, shared, task_error, task_rows
-from usdmotion_prioritized_ik.posture import move, preserve
-from usdmotion_prioritized_ik.stack import descend, remove_spanned
+from usdmotion_prioritized_ik.posture import largest_turn, move, preserve
+from usdmotion_prioritized_ik.stack import add, descend, dot, remove_spanned
 from usdmotion_prioritized_ik.state import Work
 
 ROTATION = int(Kind.ROTATION)
@@ -28,7 +29,7 @@ def converge(work: Work, frame: int, levels: int, most: int, posture: bool, shar
         posture: Whether what the levels leave free returns to the input's joint angles.
         share: Largest share of each step that is made.
     """
-    settings, errors = work.settings[0], work.asked[0].errors
+    settings, stack, errors = work.settings[0], work.stack[0], work.asked[0].errors
     for task in range(errors.shape[0]):
         errors[task] = math.inf
     for spent in range(most + 1):
@@ -36,8 +37,14 @@ def converge(work: Work, frame: int, levels: int, most: int, posture: bool, shar
         done = not posture and (change < EXACT or worst(work, levels) < EXACT)
         if done or spent == most:
             return spent
-        moved = step(work, frame, levels, posture, share)
-        if posture and change < settings.error_change and moved < settings.posture_change:
+        descend(work.stack, levels, settings.damping, settings.curvature, settings.rank)
+        if posture:
+            preserve(work, frame)
+            remove_spanned(work.stack, levels, work.pose[0].preserving)
+            add(stack.step, work.pose[0].preserving, 1.0, stack.widths[levels - 1])
+        turn = largest_turn(work)
+        move(work, min(share, settings.turn_limit / max(turn, 1e-12)))
+        if posture and change < settings.error_change and turn < settings.posture_change:
             return spent + 1
     return most
 
@@ -56,74 +63,42 @@ def worst(work: Work, levels: int) -> float:
 @shared
 def linearize(work: Work, frame: int, levels: int) -> float:
     """Fill the stack with the rows of the first levels; return the largest change of an error."""
-    given, asked, stack = work.given[0], work.asked[0], work.stack[0]
+    given, pose, asked, stack = work.given[0], work.pose[0], work.asked[0], work.stack[0]
     change = 0.0
     for level in range(levels):
         row = stack.first_row[level]
         for task in range(given.first_task[level], given.first_task[level + 1]):
-            if asked.on[task]:
-                before = asked.errors[task]
-                row += _linearize_task(work, frame, task, row)
-                change = max(change, abs(asked.errors[task] - before))
+            if not asked.on[task]:
+                continue
+            error = task_error(work.table, frame, task, pose.positions, pose.orientations)
+            kept = asked.kept[task]
+            error = (error[0] - kept[0], error[1] - kept[1], error[2] - kept[2])
+            rows, errors = stack.rows[row : row + 3], stack.errors[row : row + 3]
+            count = task_rows(
+                work.table, frame, task, given.parents, given.translates, pose.columns,
+                stack.widths[level], pose.positions, pose.orientations, error,
+                rows, errors, asked.block,
+            )  # fmt: skip
+            length = math.sqrt(dot(errors, errors, count))
+            change = max(change, abs(length - asked.errors[task]))
+            asked.errors[task] = length
+            _weigh(work, frame, task, rows[:count], errors)
+            row += count
         stack.first_row[level + 1] = row
     return change
 
 
 @shared
-def _linearize_task(work: Work, frame: int, task: int, row: int) -> int:
-    """Write the weighted rows and errors of one task; a far goal is approached in steps."""
-    given, table, pose = work.given[0], work.table[0], work.pose[0]
-    asked, stack = work.asked[0], work.stack[0]
-    width = stack.widths[table.level[task]]
-    error = task_error(work.table, frame, task, pose.positions, pose.orientations)
-    kept = asked.kept[task]
-    error = (error[0] - kept[0], error[1] - kept[1], error[2] - kept[2])
-    count = task_rows(
-        work.table, frame, task, given.parents, given.translates, pose.columns, width,
-        pose.positions, pose.orientations, error,
-        stack.rows[row : row + 3], asked.row_errors, asked.block,
-    )  # fmt: skip
-    square = 0.0
-    for index in range(count):
-        square += asked.row_errors[index] ** 2
-    length = math.sqrt(square)
-    asked.errors[task] = length
+def _weigh(work: Work, frame: int, task: int, rows: Floats, errors: Floats) -> None:
+    """Scale the rows of a task and their errors; a far goal is approached in steps."""
+    table = work.table[0]
     scale = math.sqrt(table.weight[frame, task])
     if table.kind[task] == ROTATION:
         scale *= TURN_LENGTH
-    near = min(1.0, work.settings[0].reach_limit / max(length, 1e-12))
-    for index in range(count):
-        stack.errors[row + index] = scale * near * asked.row_errors[index]
+    near = min(1.0, work.settings[0].reach_limit / max(work.asked[0].errors[task], 1e-12))
+    width = work.stack[0].widths[table.level[task]]
+    for row in range(rows.shape[0]):
+        errors[row] *= scale * near
         if scale != 1.0:
             for column in range(width):
-                stack.rows[row + index, column] *= scale
-    return count
-
-
-@shared
-def step(work: Work, frame: int, levels: int, posture: bool, most: float) -> float:
-    """Move the pose by the step of the first levels; return the largest turn asked for [rad].
-
-    Args:
-        work: Its stack is linearized, and consumed.
-        frame: The frame that is being solved.
-        levels: How many levels take part.
-        posture: Whether what they leave free returns to the input's joint angles.
-        most: Largest share of the step that is made.
-    """
-    settings, stack, pose = work.settings[0], work.stack[0], work.pose[0]
-    descend(work.stack, levels, settings.damping, settings.curvature, settings.rank)
-    if posture:
-        preserve(work, frame)
-        remove_spanned(work.stack, levels, pose.preserving)
-        for column in range(stack.widths[levels - 1]):
-            stack.step[column] += pose.preserving[column]
-    square = 0.0
-    for node in range(pose.columns.shape[0]):
-        column = pose.columns[node]
-        if column >= 0:
-            x, y, z = stack.step[column], stack.step[column + 1], stack.step[column + 2]
-            square = max(square, x * x + y * y + z * z)
-    largest = math.sqrt(square)
-    move(work, min(most, settings.turn_limit / max(largest, 1e-12)))
-    return largest
+                rows[row, column] *= scale

@@ -1,5 +1,7 @@
 """Where a frame starts, how its pose moves, and what pulls it back to the input motion."""
 
+import math
+
 from usdmotion.kernels import place, shared
 from usdmotion.kernels.quaternions import (
     inverse,
@@ -50,16 +52,17 @@ def start(work: Work, frame: int, carry: int) -> None:
 
     2004, equation 4 starts from that frame's posture itself, which lags more.
     """
+    motion = work.motion[0]
     given, pose, carried = work.given[0], work.pose[0], work.carried[0]
     for node in range(given.parents.shape[0]):
         moves = carried.valid[carry] and pose.columns[node] >= 0
-        turn = quaternion_in(given.rotations, frame, node)
+        turn = quaternion_in(motion.rotations, frame, node)
         if moves:
             turn = unit(product(turn, quaternion_in(carried.rotations, carry, node)))
         for axis in range(4):
             pose.rotations[node, axis] = turn[axis]
         for axis in range(3):
-            pose.translations[node, axis] = given.translations[frame, node, axis]
+            pose.translations[node, axis] = motion.translations[frame, node, axis]
             if moves and given.translates[node]:
                 pose.translations[node, axis] += carried.translations[carry, node, axis]
     place_all(work)
@@ -68,42 +71,57 @@ def start(work: Work, frame: int, carry: int) -> None:
 @shared
 def carry_over(work: Work, frame: int, carry: int) -> None:
     """Keep the displacement of the pose from the input for the next frame."""
+    motion = work.motion[0]
     given, pose, carried = work.given[0], work.pose[0], work.carried[0]
     carried.valid[carry] = True
     for node in range(given.parents.shape[0]):
         turn = (0.0, 0.0, 0.0, 1.0)
         if pose.columns[node] >= 0:
-            back = inverse(quaternion_in(given.rotations, frame, node))
+            back = inverse(quaternion_in(motion.rotations, frame, node))
             turn = product(back, quaternion_at(pose.rotations, node))
         for axis in range(4):
             carried.rotations[carry, node, axis] = turn[axis]
         for axis in range(3):
             carried.translations[carry, node, axis] = (
-                pose.translations[node, axis] - given.translations[frame, node, axis]
+                pose.translations[node, axis] - motion.translations[frame, node, axis]
             )
 
 
 @shared
 def preserve(work: Work, frame: int) -> None:
     """Write the vector z of 2004, equation 1: each joint towards its angle in the input."""
+    motion = work.motion[0]
     given, pose, settings = work.given[0], work.pose[0], work.settings[0]
     for node in range(given.parents.shape[0]):
         column = pose.columns[node]
         if column < 0:
             continue
         parent = quaternion_at(pose.orientations, given.parents[node])
-        wanted = quaternion_in(given.rotations, frame, node)
+        wanted = quaternion_in(motion.rotations, frame, node)
         turn = rotation_vector(product(wanted, inverse(quaternion_at(pose.rotations, node))))
         turn = turned(parent, turn)
         for axis in range(3):
             pose.preserving[column + axis] = settings.posture * turn[axis]
         if given.translates[node]:
-            x = given.translations[frame, node, 0] - pose.translations[node, 0]
-            y = given.translations[frame, node, 1] - pose.translations[node, 1]
-            z = given.translations[frame, node, 2] - pose.translations[node, 2]
+            x = motion.translations[frame, node, 0] - pose.translations[node, 0]
+            y = motion.translations[frame, node, 1] - pose.translations[node, 1]
+            z = motion.translations[frame, node, 2] - pose.translations[node, 2]
             way = turned(parent, (x, y, z))
             for axis in range(3):
                 pose.preserving[column + 3 + axis] = settings.root * way[axis]
+
+
+@shared
+def largest_turn(work: Work) -> float:
+    """Return the largest turn of a joint in the stack's step [rad]."""
+    columns, step = work.pose[0].columns, work.stack[0].step
+    square = 0.0
+    for node in range(columns.shape[0]):
+        column = columns[node]
+        if column >= 0:
+            x, y, z = step[column], step[column + 1], step[column + 2]
+            square = max(square, x * x + y * y + z * z)
+    return math.sqrt(square)
 
 
 @shared

@@ -8,12 +8,14 @@ import numpy as np
 from usdmotion import Bools, Problem, Solution, option
 from usdmotion.kernels import apart
 from usdmotion_prioritized_ik.clip import solve_clip
+from usdmotion_prioritized_ik.convergence import solve_levels
 from usdmotion_prioritized_ik.iteration import converge
 from usdmotion_prioritized_ik.stack import make_stack
 from usdmotion_prioritized_ik.state import (
     Asked,
     Carried,
     Given,
+    Motion,
     Parts,
     Pose,
     Saved,
@@ -58,18 +60,21 @@ class PrioritizedIK:
     def solve(self, problem: Problem) -> Solution:
         """Return the motion that meets the tasks in rank order."""
         cast = problem.cast
-        translations, rotations = np.array(cast.translations), np.array(cast.rotations)
-        iterations = np.zeros(cast.frame_count, dtype=np.int64)
-        stops = np.zeros(cast.frame_count, dtype=np.int64)
+        motion = Motion(
+            translations=np.array(cast.translations),
+            rotations=np.array(cast.rotations),
+            iterations=np.zeros(cast.frame_count, dtype=np.int64),
+            stops=np.zeros(cast.frame_count, dtype=np.int64),
+        )
         if problem.recruited.any():
             settings = Settings(*(getattr(self, name) for name in Settings._fields))
-            parts = _parts(problem, settings)
+            parts = _parts(problem, settings, motion)
             once = apart(converge, work=parts)
-            solve_clip(parts, once, translations, rotations, iterations, stops)
-        return Solution(translations, rotations, iterations, stops)
+            solve_clip(parts, apart(solve_levels, work=parts, converge=once), once)
+        return Solution(*motion)
 
 
-def _parts(problem: Problem, settings: Settings) -> Parts:
+def _parts(problem: Problem, settings: Settings, motion: Motion) -> Parts:
     """Return a solve's input, and room for all that it needs on the way."""
     cast, table, recruited = problem.cast, problem.table, problem.recruited
     nodes, tasks, levels = cast.node_count, len(table.kind), int(table.level[-1]) + 1
@@ -79,12 +84,12 @@ def _parts(problem: Problem, settings: Settings) -> Parts:
         return np.zeros(shape, dtype=np.bool_)
 
     return (
+        motion,
         Given(
-            cast.parents,
-            cast.translates,
-            1.0 - cast.stiffness,
-            cast.translations,
-            cast.rotations,
+            # As copies, because Numba compiles for arrays that cannot be written once more.
+            parents=np.array(cast.parents),
+            translates=np.array(cast.translates),
+            freedom=1.0 - cast.stiffness,
             first_task=np.searchsorted(table.level, np.arange(levels + 1)),
         ),
         table,
@@ -103,7 +108,6 @@ def _parts(problem: Problem, settings: Settings) -> Parts:
             on=flags(tasks),
             kept=np.zeros((tasks, 3)),
             errors=np.zeros(tasks),
-            row_errors=np.zeros(3),
             block=np.zeros((3, columns)),
         ),
         make_stack(3 * tasks, columns, levels),

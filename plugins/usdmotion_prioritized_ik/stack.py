@@ -103,10 +103,10 @@ def _subtract_done(stacked: Reference[Stack], level: int) -> float:
     square = 0.0
     for row in range(stack.first_row[level], stack.first_row[level + 1]):
         if level > 0:
-            stack.errors[row] -= product(stack.rows[row], stack.step, width)
+            stack.errors[row] -= dot(stack.rows[row], stack.step, width)
             remove_spanned(stacked, level, stack.rows[row])
         square += stack.errors[row] * stack.errors[row]
-        stack.norms[row] = product(stack.rows[row], stack.rows[row], width)
+        stack.norms[row] = dot(stack.rows[row], stack.rows[row], width)
     return math.sqrt(square)
 
 
@@ -121,7 +121,7 @@ def _orthogonalize(stacked: Reference[Stack], level: int, rank: float) -> None:
         for row in range(first + 1, last):
             if stack.norms[row] > stack.norms[longest]:
                 longest = row
-        length = math.sqrt(product(stack.rows[longest], stack.rows[longest], width))
+        length = math.sqrt(dot(stack.rows[longest], stack.rows[longest], width))
         if length <= rank:
             break
         stack.ranks[level] += 1
@@ -147,12 +147,12 @@ def _solve(stacked: Reference[Stack], level: int, squared_damping: float) -> Non
     rank = stack.ranks[level]
     for i in range(rank):
         for j in range(i):
-            entry = product(factor[i], factor[j], count) - product(normal[i], normal[j], j)
+            entry = dot(factor[i], factor[j], count) - dot(normal[i], normal[j], j)
             normal[i, j] = entry * normal[j, j]
-        square = product(factor[i], factor[i], count) - product(normal[i], normal[i], i)
+        square = dot(factor[i], factor[i], count) - dot(normal[i], normal[i], i)
         normal[i, i] = 1.0 / math.sqrt(square + squared_damping)
-        along = product(factor[i], stack.errors[first:], count)
-        inner[i] = (along - product(normal[i], inner, i)) * normal[i, i]
+        along = dot(factor[i], stack.errors[first:], count)
+        inner[i] = (along - dot(normal[i], inner, i)) * normal[i, i]
     for i in range(rank - 1, -1, -1):
         for k in range(i + 1, rank):
             inner[i] -= normal[k, i] * inner[k]
@@ -160,7 +160,7 @@ def _solve(stacked: Reference[Stack], level: int, squared_damping: float) -> Non
 
 
 @summing
-def product(a: Floats, b: Floats, count: int) -> float:
+def dot(a: Floats, b: Floats, count: int) -> float:
     """(C,), (C,) to the product of the first so many."""
     total = 0.0
     for index in range(count):
@@ -171,7 +171,7 @@ def product(a: Floats, b: Floats, count: int) -> float:
 @summing
 def remove(vector: Floats, direction: Floats, count: int) -> float:
     """(C,), (C,): take from a vector what lies along a unit direction; return how much it was."""
-    along = product(vector, direction, count)
+    along = dot(vector, direction, count)
     for index in range(count):
         vector[index] -= along * direction[index]
     return along

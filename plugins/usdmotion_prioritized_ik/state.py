@@ -7,8 +7,21 @@ from usdmotion.kernels import Reference, TaskTable
 from usdmotion_prioritized_ik.stack import Stack
 
 
+class Motion(NamedTuple):
+    """The input motion, which becomes the solved one frame by frame."""
+
+    translations: Floats
+    """(F, N, 3)"""
+    rotations: Floats
+    """(F, N, 4)"""
+    iterations: Ints
+    """(F,) how many were spent."""
+    stops: Ints
+    """(F,) why each frame was left."""
+
+
 class Given(NamedTuple):
-    """The cast's input motion, and what may be moved for the tasks."""
+    """What stays the same."""
 
     parents: Ints
     """(N,)"""
@@ -16,10 +29,6 @@ class Given(NamedTuple):
     """(N,) nodes that also translate."""
     freedom: Floats
     """(N,) 1 − stiffness: how willingly a node moves."""
-    translations: Floats
-    """(F, N, 3)"""
-    rotations: Floats
-    """(F, N, 4)"""
     first_task: Ints
     """(L + 1,) the tasks of level l are first_task[l] to first_task[l + 1]."""
 
@@ -86,8 +95,6 @@ class Asked(NamedTuple):
     """(T, 3) the error that a task is to leave, so that it is let go or not asked in vain."""
     errors: Floats
     """(T,) how far each is from that [m or rad]."""
-    row_errors: Floats
-    """(3,) scratch."""
     block: Floats
     """(3, C) scratch."""
 
@@ -95,6 +102,7 @@ class Asked(NamedTuple):
 class Work(NamedTuple):
     """All of it, by reference."""
 
+    motion: Reference[Motion]
     given: Reference[Given]
     table: Reference[TaskTable]
     settings: Reference[Settings]
@@ -105,5 +113,5 @@ class Work(NamedTuple):
     stack: Reference[Stack]
 
 
-Parts = tuple[Given, TaskTable, Settings, Pose, Saved, Carried, Asked, Stack]
+Parts = tuple[Motion, Given, TaskTable, Settings, Pose, Saved, Carried, Asked, Stack]
 """What `Work` refers to."""

@@ -35,17 +35,17 @@ def reference(typing_context: Any, value: Any) -> Any:
     return types.CPointer(value)(value), build
 
 
-def apart(function: _Function, **referring: Any) -> _Function:
+def apart(function: _Function, **examples: Any) -> _Function:
     """Compile a function by itself, to be handed to kernels as an argument.
 
     Args:
         function: Numbers are what its annotations say.
-        referring: Those of its arguments that are named tuples of references: an example of the
-            values that each refers to.
+        examples: Of those of its arguments that are none: what else was compiled apart, and for a
+            named tuple of references the values that it refers to.
     """
     hints = get_type_hints(function)
     arguments = [
-        _references(hints[name], referring[name]) if name in referring else _NUMBERS[hints[name]]
+        _type(hints[name], examples[name]) if name in examples else _NUMBERS[hints[name]]
         for name in signature(function).parameters
     ]
     return cast(_Function, _compiled(function, _NUMBERS[hints["return"]](*arguments)))
@@ -57,6 +57,8 @@ def _compiled(function: Callable[..., Any], signature: Any) -> Any:
         return numba.cfunc(signature, cache=True, **OPTIONS)(function)
 
 
-def _references(kind: type, values: Any) -> Any:
-    """Return the type of a named tuple of references to some values."""
-    return types.NamedTuple([types.CPointer(numba.typeof(each)) for each in values], kind)
+def _type(hint: Any, example: Any) -> Any:
+    """Return the type of an argument."""
+    if hasattr(hint, "_fields"):
+        return types.NamedTuple([types.CPointer(numba.typeof(each)) for each in example], hint)
+    return numba.typeof(example)
