@@ -12,6 +12,7 @@ from scipy.spatial.transform import Rotation
 from usdmotion import demos, pipeline, usd
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint
+from usdmotion.motion import Body
 from usdmotion.report import Report
 
 
@@ -63,6 +64,17 @@ class Take:
         """Return the rotations of a joint in its parent's frame."""
         return Rotation.from_quat(self.local[:, self.index(name)])
 
+    def speed(self, name: str) -> Floats:
+        """Return how far a joint turns from each frame to the next [degrees], (F - 1,)."""
+        turn = self.turn(name)
+        return np.degrees((turn[:-1].inv() * turn[1:]).magnitude())
+
+    def center_of_mass(self, body: Body) -> Floats:
+        """Return the trajectory of the centre of mass of a demo's body [m], (F, 3)."""
+        shares = body.masses / body.masses.sum()
+        points = zip(shares, self.joints, body.mass_centers, strict=True)
+        return np.sum([share * self.point(name, point) for share, name, point in points], axis=0)
+
     @property
     def height(self) -> float:
         """Height of the body [m]: what the joints span at most, from head to feet."""
@@ -86,6 +98,10 @@ class Solved:
     def moved(self, name: str, point: Floats | tuple[float, float, float] = (0, 0, 0)) -> float:
         """Return how far a point of a joint ever is from where it was [mm on 1.7 m]."""
         return self.millimetres(self.after.point(name, point) - self.before.point(name, point))
+
+    def pops(self, name: str) -> float:
+        """Return how much faster a joint ever turns than in the input [degrees a frame]."""
+        return float(self.after.speed(name).max() - self.before.speed(name).max())
 
     def turned(self, name: str) -> float:
         """Return how far a joint is ever turned from what it was [degrees]."""
