@@ -14,6 +14,11 @@ NAMES = sorted(path.stem for path in STAGES.glob("*.usda"))
 CLOSE = 1e-5
 """The last bits differ between machines, as their linear algebra does."""
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+GIVES_WAY = {
+    "stepping": {"LeftHeel", "LeftBall"},
+    "stepping_weighted": {"LeftHeel", "LeftBall", "LeftAnkle"},
+}
+"""Stages with a conflict, and the constraints that lose it."""
 
 pytestmark = pytest.mark.skipif(not STAGES.is_dir(), reason="stages/ is not beside these tests")
 
@@ -33,8 +38,14 @@ def test_a_stage_is_what_its_demo_writes(name, tmp_path):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_stage_solves_with_every_constraint_met(name, tmp_path):
+def test_a_stage_solves_and_only_what_has_to_gives_way(name, tmp_path):
     report = pipeline.solve(STAGES / f"{name}.usda", tmp_path / "edit.usda")
     assert report.notes == ()
     assert report.edits and all(edit.constraints for edit in report.edits)
-    assert report.met, report.to_json()
+    missed = {
+        each.path.rsplit("/", 1)[-1]
+        for edit in report.edits
+        for each in edit.constraints
+        if not each.met
+    }
+    assert missed == GIVES_WAY.get(name, set()), report.to_json()

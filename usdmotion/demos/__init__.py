@@ -5,7 +5,7 @@ from pathlib import Path
 
 from usdmotion.errors import FileError
 
-NAMES = ("reaching", "goals", "sunshade", "against_the_wind")
+NAMES = ("reaching", "goals", "sunshade", "against_the_wind", "stepping", "stepping_weighted")
 """Every demo, in the order in which they explain themselves."""
 
 
