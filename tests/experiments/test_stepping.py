@@ -56,4 +56,4 @@ def test_the_rest_of_the_walk_is_the_walk(ranked):
     first, _, _, last = stepping.FRAMES
     away = (ranked.after.times < first) | (ranked.after.times > last)
     apart = ranked.after.world[away, :, 3, :3] - ranked.before.world[away, :, 3, :3]
-    assert ranked.millimetres(apart) <= 0.01
+    assert ranked.millimetres(apart) <= 0.1

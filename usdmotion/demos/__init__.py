@@ -5,7 +5,16 @@ from pathlib import Path
 
 from usdmotion.errors import FileError
 
-NAMES = ("reaching", "goals", "sunshade", "against_the_wind", "stepping", "stepping_weighted")
+NAMES = (
+    "reaching",
+    "goals",
+    "sunshade",
+    "against_the_wind",
+    "stepping",
+    "stepping_weighted",
+    "karate",
+    "karate_weighted",
+)
 """Every demo, in the order in which they explain themselves."""
 
 

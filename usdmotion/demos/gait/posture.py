@@ -91,7 +91,7 @@ def _leg(phase: Floats, name: str, side: int) -> dict[str, Floats]:
         ankle[..., 2] -= 0.5 * pelvis_ride().stride
     heading = about(1, np.full_like(phase, side * TOE_OUT))
     ahead = rotate(heading, np.array((0.0, 0.0, 1.0)))
-    thigh, shank = _two_segments(ankle - hip_position(phase, side), ahead)
+    thigh, shank = two_segments(ankle - hip_position(phase, side), ahead)
     foot = multiply(heading, about(0, -np.degrees(pitch(own_phase))))
     toes = multiply(heading, about(0, -np.degrees(toe_pitch(own_phase))))
     return {
@@ -102,7 +102,7 @@ def _leg(phase: Floats, name: str, side: int) -> dict[str, Floats]:
     }
 
 
-def _two_segments(way: Floats, ahead: Floats) -> tuple[Floats, Floats]:
+def two_segments(way: Floats, ahead: Floats) -> tuple[Floats, Floats]:
     """(…, 3), (…, 3) to (…, 4), (…, 4): thigh and shank that span a way, the knee pointing ahead.
 
     Law of cosines: 2 a d cos(hip) = a² + d² - b² and 2 a b cos(knee) = d² - a² - b².
