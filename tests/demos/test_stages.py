@@ -15,6 +15,7 @@ CLOSE = 1e-5
 """The last bits differ between machines, as their linear algebra does."""
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 GIVES_WAY = {
+    "elbow_and_wrist": {"LeftWrist"},
     "karate": {"RightAnkle"},
     "karate_weighted": {"LeftHeel", "LeftBall", "LeftAnkle", "Balance", "RightAnkle"},
     "stepping": {"LeftHeel", "LeftBall"},

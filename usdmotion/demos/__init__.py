@@ -14,6 +14,8 @@ NAMES = (
     "stepping_weighted",
     "karate",
     "karate_weighted",
+    "raised_arms",
+    "elbow_and_wrist",
 )
 """Every demo, in the order in which they explain themselves."""
 
