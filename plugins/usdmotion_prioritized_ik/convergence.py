@@ -32,7 +32,6 @@ def solve_levels(work: Work, converge: Converge, frame: int, final: bool) -> int
     recruit(work, levels)
     start(work, frame, levels - 1)
     spent, stop = _settle(work, converge, frame, levels)
-    spent += converge(work, frame, levels, FEW, False, 1.0)
     first = _first_missed(work, levels)
     for level in range(levels - 1):
         carried.valid[level] &= level >= first
@@ -71,7 +70,10 @@ def keep(work: Work, frame: int, task: int, share: float) -> None:
 def _settle(work: Work, converge: Converge, frame: int, levels: int) -> tuple[int, int]:
     most = work.settings[0].iterations
     spent = converge(work, frame, levels, most, True, 1.0)
-    return spent, SETTLED if spent < most else LIMIT
+    stop = SETTLED if spent < most else LIMIT
+    if spent > 0:
+        spent += converge(work, frame, levels, FEW, False, 1.0)
+    return spent, stop
 
 
 @shared

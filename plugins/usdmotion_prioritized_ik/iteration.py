@@ -3,7 +3,7 @@
 import math
 
 from usdmotion import Floats
-from usdmotion.kernels import Kind, shared, task_error, task_rows
+from usdmotion.kernels import Kind, shared, summing, task_error, task_rows
 from usdmotion_prioritized_ik.posture import largest_turn, move, preserve
 from usdmotion_prioritized_ik.stack import add, descend, dot, remove_spanned
 from usdmotion_prioritized_ik.state import Work
@@ -11,6 +11,10 @@ from usdmotion_prioritized_ik.state import Work
 ROTATION = int(Kind.ROTATION)
 EXACT = 1e-9
 """An error below this is none [m or rad]."""
+NEAR = 0.01
+"""Errors below this leave the pull of the posture alone to decide how far to go [m or rad]."""
+SHORTEST, LONGEST = 0.1, 4.0
+"""How far to go along a step, at least and at most."""
 TURN_LENGTH = 0.2
 """A radian of a rotation task counts as so many metres, about the lever of a hand or a foot."""
 
@@ -29,24 +33,64 @@ def converge(work: Work, frame: int, levels: int, most: int, posture: bool, shar
         posture: Whether what the levels leave free returns to the input's joint angles.
         share: Largest share of each step that is made.
     """
-    settings, stack, errors = work.settings[0], work.stack[0], work.asked[0].errors
+    settings, errors = work.settings[0], work.asked[0].errors
     for task in range(errors.shape[0]):
         errors[task] = math.inf
+    taken = 0.0
     for spent in range(most + 1):
         change = linearize(work, frame, levels)
-        done = not posture and (change < EXACT or worst(work, levels) < EXACT)
+        done = change < EXACT or worst(work, levels) < EXACT
+        if posture:
+            done = preserve(work, frame) < EXACT and done
         if done or spent == most:
             return spent
         descend(work.stack, levels, settings.damping, settings.curvature, settings.rank)
-        if posture:
-            preserve(work, frame)
-            remove_spanned(work.stack, levels, work.pose[0].preserving)
-            add(stack.step, work.pose[0].preserving, 1.0, stack.widths[levels - 1])
-        turn = largest_turn(work)
-        move(work, min(share, settings.turn_limit / max(turn, 1e-12)))
+        turn, taken = _advance(work, levels, posture, share, taken)
         if posture and change < settings.error_change and turn < settings.posture_change:
             return spent + 1
     return most
+
+
+@shared
+def _advance(
+    work: Work, levels: int, posture: bool, share: float, taken: float
+) -> tuple[float, float]:
+    """Move the pose; return the largest turn asked for [rad], and by what share it was made.
+
+    Near a solution only the posture still moves, as far as its steps have shown to be right: along
+    bent constraints it can go to and fro without end, or creep.
+    """
+    stack, pull, length = work.stack[0], work.pose[0].preserving, 1.0
+    width = stack.widths[levels - 1]
+    if posture:
+        remove_spanned(work.stack, levels, pull)
+        add(stack.step, pull, 1.0, width)
+        length = _length(stack.step, stack.before, taken, width)
+        if taken == 0.0 or worst(work, levels) > NEAR:
+            length = 1.0
+    turn, longer = largest_turn(work), max(length, 1.0)
+    if longer > 1.0:
+        add(stack.step, pull, longer - 1.0, width)
+    made = min(share, length, work.settings[0].turn_limit / max(longer * turn, 1e-12))
+    move(work, made)
+    return turn, made * longer
+
+
+@summing
+def _length(step: Floats, before: Floats, taken: float, count: int) -> float:
+    """(C,), (C,) to how far to go along a step, of which the share `taken` was made before.
+
+    Irons and Tuck 1969: where the step would be none, if it went on to change as it has changed.
+    """
+    along, square = 0.0, 0.0
+    for index in range(count):
+        change = before[index] - step[index]
+        along += before[index] * change
+        square += change * change
+        before[index] = step[index]
+    if along <= 0.0:
+        return LONGEST
+    return min(max(taken * along / square, SHORTEST), LONGEST)
 
 
 @shared

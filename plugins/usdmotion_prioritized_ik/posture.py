@@ -88,10 +88,15 @@ def carry_over(work: Work, frame: int, carry: int) -> None:
 
 
 @shared
-def preserve(work: Work, frame: int) -> None:
-    """Write the vector z of 2004, equation 1: each joint towards its angle in the input."""
+def preserve(work: Work, frame: int) -> float:
+    """Write the vector z of 2004, equation 1: each joint towards its angle in the input.
+
+    Returns:
+        Its largest component.
+    """
     motion = work.motion[0]
     given, pose, settings = work.given[0], work.pose[0], work.settings[0]
+    largest = 0.0
     for node in range(given.parents.shape[0]):
         column = pose.columns[node]
         if column < 0:
@@ -102,6 +107,7 @@ def preserve(work: Work, frame: int) -> None:
         turn = turned(parent, turn)
         for axis in range(3):
             pose.preserving[column + axis] = settings.posture * turn[axis]
+            largest = max(largest, abs(settings.posture * turn[axis]))
         if given.translates[node]:
             x = motion.translations[frame, node, 0] - pose.translations[node, 0]
             y = motion.translations[frame, node, 1] - pose.translations[node, 1]
@@ -109,6 +115,8 @@ def preserve(work: Work, frame: int) -> None:
             way = turned(parent, (x, y, z))
             for axis in range(3):
                 pose.preserving[column + 3 + axis] = settings.root * way[axis]
+                largest = max(largest, abs(settings.root * way[axis]))
+    return largest
 
 
 @shared

@@ -39,6 +39,8 @@ class Stack(NamedTuple):
     """(R,) scratch: squared lengths of projected rows."""
     step: Floats
     """(C,) the step."""
+    before: Floats
+    """(C,) the whole step of the iteration before, posture included."""
 
 
 def make_stack(row_count: int, column_count: int, level_count: int) -> Stack:
@@ -57,6 +59,7 @@ def make_stack(row_count: int, column_count: int, level_count: int) -> Stack:
         inner=np.zeros(row_count),
         norms=np.zeros(row_count),
         step=np.zeros(column_count),
+        before=np.zeros(column_count),
     )
 
 
