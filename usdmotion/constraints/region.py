@@ -65,9 +65,7 @@ class RegionConstraint(Constraint):
     def tasks(self, cast: Cast) -> Iterator[DistanceTask]:
         """Yield a one-sided distance task for each wall."""
         if self.region is None:
-            raise SceneError(
-                f"<{self.path}> stays out of nothing; name a shape in usdmotion:region"
-            )
+            raise SceneError(f"<{self.path}> has no region; name a shape in usdmotion:region")
         if self.side not in ("inside", "outside"):
             raise SceneError(f"<{self.path}> stays '{self.side}'; use inside or outside")
         outside = self.side == "outside"
