@@ -11,6 +11,7 @@ from inspect import signature
 from typing import Any, TypeAlias, TypeVar, cast, get_type_hints
 
 import numba
+import numpy as np
 from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic
@@ -43,12 +44,31 @@ def apart(function: _Function, **examples: Any) -> _Function:
         examples: Of those of its arguments that are none: what else was compiled apart, and for a
             named tuple of references the values that it refers to.
     """
-    hints = get_type_hints(function)
-    arguments = [
-        _type(hints[name], examples[name]) if name in examples else _NUMBERS[hints[name]]
-        for name in signature(function).parameters
-    ]
-    return cast(_Function, _compiled(function, _NUMBERS[hints["return"]](*arguments)))
+    # To ask Numba for the types takes as long as to solve ten frames, so that is done once.
+    known = (function, *((name, _form(example)) for name, example in examples.items()))
+    if known not in _APART:
+        hints = get_type_hints(function)
+        arguments = [
+            _type(hints[name], examples[name]) if name in examples else _NUMBERS[hints[name]]
+            for name in signature(function).parameters
+        ]
+        _APART[known] = _compiled(function, _NUMBERS[hints["return"]](*arguments))
+    return cast(_Function, _APART[known])
+
+
+_APART: dict[Any, Any] = {}
+"""What was compiled, by the function and the forms of its examples."""
+
+
+def _form(example: Any) -> Any:
+    """Return what decides on the type that an example has for Numba."""
+    if isinstance(example, tuple):
+        return (type(example), *map(_form, example))
+    if isinstance(example, np.ndarray):
+        flags = example.flags
+        order = flags.c_contiguous, flags.f_contiguous
+        return example.dtype.char, example.ndim, *order, flags.writeable
+    return example if callable(example) else type(example)
 
 
 @cache
