@@ -132,6 +132,17 @@ def test_a_solver_that_writes_into_its_input_is_found_out() -> None:
         CHECKS["check_repeatable"](Spoiled(before=scribbling))
 
 
+def test_a_solver_that_resumes_and_forgets_what_was_known_is_found_out() -> None:
+    @dataclass(frozen=True)
+    class Forgetful(Spoiled):
+        resumes: ClassVar[bool] = True
+
+    forgetful = Forgetful(before=lambda problem: replace(problem, known=None))
+    with pytest.raises(AssertionError, match="from frames that are known a solver that resumes"):
+        CHECKS["check_resuming"](forgetful)
+    CHECKS["check_resuming"](Spoiled())
+
+
 def test_a_solver_whose_options_say_nothing_is_found_out() -> None:
     @dataclass(frozen=True)
     class Silent(Spoiled):

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
         OrientationConstraint,
         PositionConstraint,
         attribute,
-        relation,
     )
     from usdmotion.constraints.goal import composite_point, composite_turn
     from usdmotion.curves import ease
@@ -36,19 +35,9 @@ if TYPE_CHECKING:
     from usdmotion.recording import Reader, Recording
     from usdmotion.scene import Edit, Scene
     from usdmotion.solving import Problem, Solution, Solver
-    from usdmotion.tasks import (
-        AimTask,
-        Axes,
-        Demand,
-        DistanceTask,
-        PointTask,
-        RotationTask,
-        Term,
-        TurnGoal,
-    )
+    from usdmotion.tasks import Axes, Demand, PointTask, RotationTask, Term, TurnGoal
 
 __all__ = [
-    "AimTask",
     "Axes",
     "Body",
     "Bools",
@@ -56,7 +45,6 @@ __all__ = [
     "Character",
     "Constraint",
     "Demand",
-    "DistanceTask",
     "Edit",
     "FileError",
     "Floats",
@@ -93,7 +81,6 @@ __all__ = [
     "import_motion",
     "inspect",
     "option",
-    "relation",
     "solve",
 ]
 

@@ -1,7 +1,7 @@
 """Characters, and all their joints in one numbering, which is what constraints and solvers see."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -31,6 +31,11 @@ class Character:
     """The joint that also translates when a constraint recruits it."""
     masses_from: str = "authored"
     """Where the body's masses are from, as a report says it."""
+
+    def during(self, frames: slice) -> "Character":
+        """Return the character on some of its frames."""
+        motion, placement = self.motion.during(frames), self.placement.during(frames)
+        return replace(self, motion=motion, placement=placement)
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,6 +112,15 @@ class Cast:
                 [part for each in characters for part in (identity, each.skeleton.rest_rotations)]
             ),
             stiffness=pile("stiffness", np.zeros(1)),
+        )
+
+    def during(self, frames: slice) -> "Cast":
+        """Return the cast on some of its frames."""
+        return replace(
+            self,
+            times=self.times[frames],
+            translations=self.translations[frames],
+            rotations=self.rotations[frames],
         )
 
     @property

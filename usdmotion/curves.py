@@ -4,6 +4,9 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 
+SLACK = 1e-6
+"""How far a sample may be beside the end of an interval that it counts to [s]."""
+
 
 def ease(times: Floats, keys: tuple[float, ...]) -> Floats:
     """Return the cubic activity profile of up to four key times.
@@ -25,10 +28,18 @@ def ease(times: Floats, keys: tuple[float, ...]) -> Floats:
     return _rise(times, t0, t1) * _rise(-times, -t3, -t2)
 
 
+def between(times: Floats, keys: tuple[float, ...]) -> slice:
+    """Return the frames on which `ease` is not 0, without a look at the others; none may be."""
+    if not keys:
+        return slice(0, len(times))
+    start = int(np.searchsorted(times, keys[0] - SLACK, side="left"))
+    stop = int(np.searchsorted(times, keys[-1] + SLACK, side="right"))
+    return slice(start, max(start, stop))
+
+
 def _rise(times: Floats, start: float, end: float) -> Floats:
-    slack = 1e-6
-    s = np.clip((times - start) / max(end - start, slack), 0.0, 1.0)
-    s = np.where(times >= end - slack, 1.0, s)
+    s = np.clip((times - start) / max(end - start, SLACK), 0.0, 1.0)
+    s = np.where(times >= end - SLACK, 1.0, s)
     return np.asarray(3.0 * s**2 - 2.0 * s**3)
 
 

@@ -113,6 +113,10 @@ class Motion:
         """Number of samples."""
         return len(self.times)
 
+    def during(self, frames: slice) -> "Motion":
+        """Return the motion on some of its frames."""
+        return Motion(self.times[frames], self.translations[frames], self.rotations[frames])
+
 
 @dataclass(frozen=True, eq=False)
 class Placement:
@@ -130,6 +134,10 @@ class Placement:
             translations=seal(self.translations, frames, 3, name="translations"),
             rotations=seal(self.rotations, frames, 4, name="rotations"),
         )
+
+    def during(self, frames: slice) -> "Placement":
+        """Return the placement on some of its frames."""
+        return Placement(self.translations[frames], self.rotations[frames])
 
     @classmethod
     def identity(cls, frame_count: int) -> "Placement":

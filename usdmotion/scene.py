@@ -1,12 +1,12 @@
 """A scene: all the characters that are solved together, and what is asked of them."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence, Set
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from usdmotion.arrays import Floats, seal
 from usdmotion.cast import Cast, Character
-from usdmotion.constraints import Constraint
+from usdmotion.constraints import Constraint, during
 from usdmotion.tasks import Demand
 
 
@@ -28,6 +28,11 @@ class Edit:
     passes: int = 1
     """How often the constraints are enforced; with smoothing at least twice."""
 
+    def during(self, frames: slice, kept: Set[int]) -> "Edit":
+        """Return the edit on some of its frames, with those of its constraints whose id is kept."""
+        constraints = tuple(during(each, frames) for each in self.constraints if id(each) in kept)
+        return replace(self, constraints=constraints)
+
 
 @dataclass(frozen=True, eq=False)
 class Scene:
@@ -45,6 +50,11 @@ class Scene:
         object.__setattr__(self, "time_codes", seal(self.time_codes, None, name="time_codes"))
         object.__setattr__(self, "up", seal(self.up, 3, name="up"))
 
+    @property
+    def times(self) -> Floats:
+        """Seconds from the first frame, shape (frame_count,)."""
+        return self.characters[0].motion.times
+
     @cached_property
     def cast(self) -> Cast:
         """All joints in one numbering."""
@@ -60,6 +70,19 @@ class Scene:
         """What each constraint asks for, parallel to `constraints`."""
         return tuple(constraint.demand(self.cast) for constraint in self.constraints)
 
+    def during(self, frames: slice) -> "Scene":
+        """Return the scene on some of its frames, with the constraints that can matter there.
+
+        Of each rank one stays in any case, so that every part of a clip has the same levels.
+        """
+        kept = _mattering(self.constraints, self.times[frames])
+        return replace(
+            self,
+            characters=tuple(each.during(frames) for each in self.characters),
+            edits=tuple(each.during(frames, kept) for each in self.edits),
+            time_codes=self.time_codes[frames],
+        )
+
     def character(self, path: str) -> Character:
         """Return the character of a skeleton."""
         return next(character for character in self.characters if character.path == path)
@@ -74,3 +97,14 @@ class Scene:
             for each in self.characters
             if each.path in weighed and each.masses_from != "authored"
         )
+
+
+def _mattering(constraints: Sequence[Constraint], times: Floats) -> Set[int]:
+    """Return the ids of the constraints that can ask for something, and of one of each rank."""
+    ranks: dict[int, list[int]] = {}
+    for each in constraints:
+        span, rank = each.span(times), ranks.setdefault(each.priority, [])
+        if span.start < span.stop:
+            rank.append(id(each))
+    idle = {each.priority: id(each) for each in constraints if not ranks[each.priority]}
+    return {each for rank in ranks.values() for each in rank} | set(idle.values())

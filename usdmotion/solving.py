@@ -24,12 +24,19 @@ class Problem:
     """Who takes part, and the input motion."""
     table: TaskTable
     """What is asked, in rank order."""
+    known: "Solution | None" = None
+    """What was found on the first frames, at least one, which are not to be solved; None solves
+    all. Only a solver that resumes is given it."""
 
     @classmethod
     def of(cls, scene: Scene) -> "Problem":
         """Return the problem that a scene poses."""
         cast = scene.cast
         return cls(cast, tabulate(scene.demands, cast.frame_count, cast.node_count))
+
+    def during(self, frames: slice, known: "Solution | None" = None) -> "Problem":
+        """Return what is asked on some of the frames, the first of which may be known."""
+        return Problem(self.cast.during(frames), self.table.during(frames), known)
 
     @cached_property
     def recruited(self) -> Bools:
@@ -49,6 +56,9 @@ class Solution:
     """Iterations spent on each frame, shape (frame_count,)."""
     stops: Ints
     """Why each frame was left: an index into `STOPS`, shape (frame_count,)."""
+    carried: Floats | None = None
+    """What a solver that resumes hands from a frame to the next beside the pose, zeros where that
+    is nothing, shape (frame_count, …); what it means is the solver's own."""
 
     def __post_init__(self) -> None:
         shape = np.shape(self.rotations)[:2]
@@ -59,10 +69,21 @@ class Solution:
             array = seal(getattr(self, name), shape[0], dtype=np.int64, name=name)
             object.__setattr__(self, name, array)
 
+    def during(self, frames: slice) -> "Solution":
+        """Return the solution on some of its frames."""
+        carried = None if self.carried is None else self.carried[frames]
+        poses = (self.translations[frames], self.rotations[frames])
+        return Solution(*poses, self.iterations[frames], self.stops[frames], carried)
+
 
 @runtime_checkable
 class Solver(Protocol):
-    """Solves a whole clip. Its dataclass fields made by `option` are its options."""
+    """Solves a whole clip. Its dataclass fields made by `option` are its options.
+
+    One that can go on from where a solve was left says so by a class attribute, `resumes = True`:
+    given a problem of which the first frames are known, it gives back these as they are, and on
+    the others what it would have found had it solved all of them, to the last bit.
+    """
 
     name: ClassVar[str]
 
@@ -72,3 +93,8 @@ class Solver(Protocol):
         Nodes that no active task recruits keep the input; a target out of reach is no error.
         """
         ...
+
+
+def resumes(solver: Solver) -> bool:
+    """Tell whether a solver can go on from frames that are known."""
+    return bool(getattr(solver, "resumes", False))

@@ -2,12 +2,16 @@
 
 from usdmotion.kernels import kernel, reference, shared
 from usdmotion_prioritized_ik.convergence import SETTLED, Converge, SolveLevels, keep
+from usdmotion_prioritized_ik.posture import carry_over, recruit
 from usdmotion_prioritized_ik.state import Parts, Work
 
 
 @kernel
-def solve_clip(parts: Parts, solve_levels: SolveLevels, converge: Converge) -> None:
-    """Parts of `Work`, whose motion (F, N, 3), (F, N, 4) becomes the solved one, frame by frame."""
+def solve_clip(parts: Parts, solve_levels: SolveLevels, converge: Converge, first: int) -> None:
+    """Parts of `Work`, whose motion (F, N, 3), (F, N, 4) becomes the solved one, frame by frame.
+
+    Where the frames before `first` are known, the pose is that of the last of them.
+    """
     motion, given, table, settings, pose, saved, carried, asked, stack = parts
     work = Work(
         reference(motion),
@@ -20,13 +24,16 @@ def solve_clip(parts: Parts, solve_levels: SolveLevels, converge: Converge) -> N
         reference(asked),
         reference(stack),
     )
-    for frame in range(motion.stops.shape[0]):
+    if first > 0:
+        _take_up(work, first - 1)
+    for frame in range(first, motion.stops.shape[0]):
         motion.stops[frame] = _solve_frame(work, solve_levels, converge, frame)
         for node in range(pose.rotations.shape[0]):
             for axis in range(3):
                 motion.translations[frame, node, axis] = pose.translations[node, axis]
             for axis in range(4):
                 motion.rotations[frame, node, axis] = pose.rotations[node, axis]
+        _hand_on(work, frame)
 
 
 @shared
@@ -51,3 +58,36 @@ def _solve_frame(work: Work, solve_levels: SolveLevels, converge: Converge, fram
             keep(work, frame, task, 1.0 - activity[task])
             asked.on[task] = True
     return stop
+
+
+@shared
+def _take_up(work: Work, frame: int) -> None:
+    """Carry over from a frame that is known, as if it had just been solved."""
+    carried, known = work.carried[0], work.motion[0].carried
+    activity = work.table[0].activity[frame]
+    for task in range(activity.shape[0]):
+        work.asked[0].on[task] = activity[task] > 0.0
+    levels = carried.valid.shape[0]
+    recruit(work, levels)
+    carry_over(work, frame, levels - 1)
+    for level in range(levels - 1):
+        for node in range(known.shape[2]):
+            for axis in range(3):
+                carried.translations[level, node, axis] = known[frame, level, node, axis]
+            for axis in range(4):
+                turn = known[frame, level, node, axis + 3]
+                carried.rotations[level, node, axis] = turn
+                carried.valid[level] |= turn != 0.0
+
+
+@shared
+def _hand_on(work: Work, frame: int) -> None:
+    """Write down what the frame carries for fewer than all levels: no pose tells that."""
+    carried, known = work.carried[0], work.motion[0].carried
+    for level in range(carried.valid.shape[0] - 1):
+        if carried.valid[level]:
+            for node in range(known.shape[2]):
+                for axis in range(3):
+                    known[frame, level, node, axis] = carried.translations[level, node, axis]
+                for axis in range(4):
+                    known[frame, level, node, axis + 3] = carried.rotations[level, node, axis]

@@ -28,6 +28,7 @@ class PrioritizedIK:
     """Solves every frame by strict priority, joint angles preserved last (2003, 2004)."""
 
     name: ClassVar[str] = "prioritized_ik"
+    resumes: ClassVar[bool] = True
 
     iterations: int = option(
         60, "Most iterations on one frame before its finish.", minimum=1, maximum=10000
@@ -59,19 +60,45 @@ class PrioritizedIK:
 
     def solve(self, problem: Problem) -> Solution:
         """Return the motion that meets the tasks in rank order."""
-        cast = problem.cast
+        cast, known = problem.cast, problem.known
+        levels = int(problem.table.level.max(initial=0)) + 1
         motion = Motion(
             translations=np.array(cast.translations),
             rotations=np.array(cast.rotations),
             iterations=np.zeros(cast.frame_count, dtype=np.int64),
             stops=np.zeros(cast.frame_count, dtype=np.int64),
+            # Zeros cost no memory before they are written to, and few frames carry anything.
+            carried=np.zeros((cast.frame_count, levels - 1, cast.node_count, 7)),
         )
         if problem.recruited.any():
             settings = Settings(*(getattr(self, name) for name in Settings._fields))
             parts = _parts(problem, settings, motion)
+            first = _know(known, parts) if known else 0
             once = apart(converge, work=parts)
-            solve_clip(parts, apart(solve_levels, work=parts, converge=once), once)
+            solve_clip(parts, apart(solve_levels, work=parts, converge=once), once, first)
+        if known:
+            _keep(known, motion)
         return Solution(*motion)
+
+
+def _know(known: Solution, parts: Parts) -> int:
+    """Write the last known frame to where it is taken up; return how many are known."""
+    motion, pose, count = parts[0], parts[4], len(known.stops)
+    pose.translations[:] = known.translations[-1]
+    pose.rotations[:] = known.rotations[-1]
+    same = known.carried is not None and known.carried.shape[1:] == motion.carried.shape[1:]
+    if known.carried is not None and same:
+        motion.carried[:count] = known.carried
+    return count
+
+
+def _keep(known: Solution, motion: Motion) -> None:
+    """Give the known frames back as they are."""
+    count = len(known.stops)
+    motion.translations[:count] = known.translations
+    motion.rotations[:count] = known.rotations
+    motion.iterations[:count] = known.iterations
+    motion.stops[:count] = known.stops
 
 
 def _parts(problem: Problem, settings: Settings, motion: Motion) -> Parts:

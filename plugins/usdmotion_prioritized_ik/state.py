@@ -18,6 +18,8 @@ class Motion(NamedTuple):
     """(F,) how many were spent."""
     stops: Ints
     """(F,) why each frame was left."""
+    carried: Floats
+    """(F, L - 1, N, 3 + 4) `Carried` after each frame, but for the last level; zeros are none."""
 
 
 class Given(NamedTuple):

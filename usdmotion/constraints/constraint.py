@@ -10,7 +10,7 @@ from usdmotion.arrays import Bools, Floats
 from usdmotion.cast import Cast
 from usdmotion.constraints.attributes import attribute
 from usdmotion.constraints.goal import Goal, Shares
-from usdmotion.curves import ease
+from usdmotion.curves import between, ease
 from usdmotion.tasks import Demand, Task, Term
 
 
@@ -70,6 +70,22 @@ class Constraint:
             moves=frozenset(self.movable(cast)),
             plateau=self.plateau(cast),
         )
+
+    def needs(self, times: Floats, frames: slice) -> slice:
+        """Return the frames of the input that it has to see to say what it asks on some.
+
+        These are the same ones. A kind that looks at others besides says so here, so that a part
+        of a clip can be solved without all of it.
+
+        Args:
+            times: Seconds, of all frames of the clip.
+            frames: Those that are to be solved, a start and a stop.
+        """
+        return frames
+
+    def span(self, times: Floats) -> slice:
+        """Return the frames outside of which it asks for nothing, whatever its activity is."""
+        return between(times, self.times)
 
     def eased(self, cast: Cast) -> Floats:
         """Return its activity with its easing, one number or shape (frame_count,)."""

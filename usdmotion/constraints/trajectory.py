@@ -10,10 +10,10 @@ from usdmotion.arrays import Bools, Floats
 from usdmotion.cast import Cast
 from usdmotion.constraints.attributes import attribute
 from usdmotion.constraints.constraint import Constraint
-from usdmotion.constraints.goal import trajectory
 from usdmotion.constraints.space import Space
 from usdmotion.curves import ease, kochanek_bartels, time_curve
 from usdmotion.errors import SceneError
+from usdmotion.kernels import world_points
 from usdmotion.tasks import PointTask
 
 
@@ -45,11 +45,22 @@ class TrajectoryConstraint(Constraint):
         """Yield one point task."""
         self._check()
         effector = self.effector(cast)
-        original = self.space.inside(cast, trajectory(cast, [effector]), self.path)
+        node = effector.node
+        world = world_points(cast.positions[:, node], cast.orientations[:, node], self.point)
+        original = self.space.inside(cast, world, self.path)
         places = np.array(original)
         on = self._on(cast)
         places[on] = self._curve(cast.times, original)[on]
         yield self.space.hold(cast, effector, places, self.path)
+
+    def needs(self, times: Floats, frames: slice) -> slice:
+        """Return the frames, and those of the whole curve: its ends lie on the input trajectory."""
+        curve = self.span(times)
+        if curve.stop <= frames.start or frames.stop <= curve.start:
+            return frames
+        # Position and velocity at an end are between two frames, and a velocity needs one more.
+        start, stop = curve.start - 2, curve.stop + 2
+        return slice(max(min(frames.start, start), 0), min(max(frames.stop, stop), len(times)))
 
     def eased(self, cast: Cast) -> Floats:
         """Return its activity: the curve itself leaves and rejoins."""

@@ -14,6 +14,7 @@ from usdmotion.kernels import conjugate, forward, from_vector, multiply, residua
 from usdmotion.options import configured, options
 from usdmotion.scene import Scene
 from usdmotion.solving import STOPS, Problem, Solution, Solver
+from usdmotion.testing.resuming import check_resuming
 from usdmotion.testing.scenes import ARM, HUMANOID, arm_scene, humanoid_scene, moved, posed
 
 _WRIST = "base/shoulder/elbow/wrist"
@@ -198,6 +199,7 @@ SOLVER_CHECKS: tuple[Callable[[Solver], None], ...] = (
     check_repeatable,
     check_world,
     check_order_of_constraints,
+    check_resuming,
 )
 """The contract, one promise each; to parametrize a test with."""
 
@@ -266,10 +268,8 @@ def _same_shape(name: str, array: Floats, wanted: Floats) -> None:
 
 
 def _same_bytes(one: Solution, other: Solution) -> bool:
-    return all(
-        getattr(one, field.name).tobytes() == getattr(other, field.name).tobytes()
-        for field in fields(Solution)
-    )
+    pairs = ((getattr(one, field.name), getattr(other, field.name)) for field in fields(Solution))
+    return all(first is second or first.tobytes() == second.tobytes() for first, second in pairs)
 
 
 def _inputs(problem: Problem) -> list[Floats]:
