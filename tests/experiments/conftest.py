@@ -1,6 +1,6 @@
 """What every experiment measures: composed stages, through UsdSkel, never the solver's word."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -48,6 +48,10 @@ class Take:
             local.append([(*each.imaginary, each.real) for each in joints])
         return cls(tuple(query.GetJointOrder()), times, np.array(world), np.array(local))
 
+    def part(self, frames: slice) -> "Take":
+        """Return some of its frames."""
+        return Take(self.joints, self.times[frames], self.world[frames], self.local[frames])
+
     def index(self, name: str) -> int:
         """Return the index of a joint by its token or the last part of it."""
         return next(
@@ -59,6 +63,12 @@ class Take:
     def point(self, name: str, point: Floats | tuple[float, float, float] = (0, 0, 0)) -> Floats:
         """Return the world trajectory of a point of a joint [m], (F, 3)."""
         return (np.array((*point, 1.0)) @ self.world[:, self.index(name)])[:, :3]
+
+    def seen_from(self, frame: str, name: str) -> Floats:
+        """Return the trajectory of a joint in the frame of another [m], (F, 3)."""
+        places = np.concatenate([self.point(name), np.ones((len(self.times), 1))], axis=1)
+        inverse = np.linalg.inv(self.world[:, self.index(frame)])
+        return np.einsum("fi,fij->fj", places, inverse)[:, :3]
 
     def turn(self, name: str) -> Rotation:
         """Return the rotations of a joint in its parent's frame."""
@@ -103,26 +113,36 @@ class Solved:
         """Return how much faster a joint ever turns than in the input [degrees a frame]."""
         return float(self.after.speed(name).max() - self.before.speed(name).max())
 
-    def turned(self, name: str) -> float:
-        """Return how far a joint is ever turned from what it was [degrees]."""
+    def turned(self, name: str, over: Callable[[Floats], float] = np.max) -> float:
+        """Return how far a joint is ever, or on average, turned from what it was [degrees]."""
         turns = self.before.turn(name).inv() * self.after.turn(name)
-        return float(np.degrees(turns.magnitude().max()))
+        return float(np.degrees(over(turns.magnitude())))
 
 
 Solve = Callable[..., Solved]
 
 
-@pytest.fixture
-def solve(tmp_path: Path) -> Solve:
-    """Return what solves a stage and looks at the composed answer."""
+@pytest.fixture(scope="session")
+def taken() -> Callable[[Usd.Stage, str, Floats], Take]:
+    """Return what samples the skeleton of a composed stage."""
+    return Take.of
+
+
+@pytest.fixture(scope="session")
+def solve(tmp_path_factory: pytest.TempPathFactory) -> Solve:
+    """Return what solves a stage and looks at the composed answer, at the solved times."""
 
     def run(shot: Path, skeleton: str, **options: object) -> Solved:
-        edit, composed = tmp_path / f"{shot.stem}.edit.usda", tmp_path / f"{shot.stem}.shot.usda"
+        folder = tmp_path_factory.mktemp("solved")
+        edit, composed = folder / f"{shot.stem}.edit.usda", folder / f"{shot.stem}.shot.usda"
         report = pipeline.solve(shot, edit, compose=composed, **options)
         layer = Sdf.Layer.FindOrOpen(str(edit))
         stage = Usd.Stage.Open(str(composed))
         result = UsdSkel.BindingAPI(stage.GetPrimAtPath(skeleton)).GetAnimationSource()
         times = np.array(layer.ListTimeSamplesForPath(result.GetPath().AppendProperty("rotations")))
+        if "frames" in options:
+            first, last = options["frames"]
+            times = times[(times >= first) & (times <= last)]
         return Solved(
             Take.of(Usd.Stage.Open(str(shot)), skeleton, times),
             Take.of(stage, skeleton, times),
@@ -139,99 +159,45 @@ def demo(tmp_path: Path) -> Callable[[str], Path]:
     return lambda name: demos.build(name, tmp_path)
 
 
-@pytest.fixture
-def asked(tmp_path: Path) -> Callable[..., Path]:
+@pytest.fixture(scope="session")
+def asked(tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
     """Return what puts a layer with an edit over a stage: constraints under its Skeleton."""
 
-    def run(shot: Path, skeleton: str, constraints: list[Constraint]) -> Path:
-        source = Usd.Stage.Open(str(shot))
-        output = tmp_path / f"{shot.stem}.asked.usda"
+    def run(
+        shot: Path, skeleton: str, constraints: Sequence[Constraint], time_codes: Floats
+    ) -> Path:
+        output = tmp_path_factory.mktemp("asked") / "asked.usda"
         layer = Sdf.Layer.CreateNew(str(output))
         layer.subLayerPaths.append(str(shot))
-        stage = Usd.Stage.Open(layer)
+        source, stage = Usd.Stage.Open(str(shot)), Usd.Stage.Open(layer)
         for name in ("metersPerUnit", "upAxis", "timeCodesPerSecond", "framesPerSecond"):
             stage.SetMetadata(name, source.GetMetadata(name))
-        start, end = source.GetStartTimeCode(), source.GetEndTimeCode()
-        stage.SetStartTimeCode(start)
-        stage.SetEndTimeCode(end)
-        usd.author_edit(stage, f"{skeleton}/Edit")
+        first, last = float(time_codes[0]), float(time_codes[-1])
+        stage.SetStartTimeCode(first)
+        stage.SetEndTimeCode(last)
+        usd.author_edit(stage, f"{skeleton}/Edit", frames=(first, last))
         for each in constraints:
-            usd.author(stage, f"{skeleton}/Edit/{each.path}", each, time_codes=[start])
+            usd.author(stage, f"{skeleton}/Edit/{each.path}", each, time_codes=time_codes)
         layer.Save()
         return output
 
     return run
 
 
-@dataclass(frozen=True)
-class Clip:
-    """A captured clip, and what the joints that the experiments need are called in it."""
-
-    path: str
-    feet: tuple[str, ...]
-    wrist: str
-    elbow: str
-    head: str
-    skip: int = 0
-    """Samples at the start that are no part of the motion."""
+TOLD = pytest.StashKey[list[str]]()
+"""What there is to tell at the end of a run."""
 
 
-CLIPS = (
-    Clip(
-        "cmu/iclone/007_12.bvh",
-        ("CC_Base_L_Foot", "CC_Base_R_Foot", "CC_Base_L_ToeBase", "CC_Base_R_ToeBase"),
-        "CC_Base_L_Hand",
-        "CC_Base_L_Forearm",
-        "CC_Base_Head",
-        skip=1,
-    ),
-    Clip(
-        "cmu/daz/08_01_trimmed.bvh",
-        ("lFoot", "rFoot"),
-        "lHand",
-        "lForeArm",
-        "head",
-    ),
-    Clip(
-        "other/mocapbank_crouch.bvh",
-        ("LeftAnkle", "RightAnkle"),
-        "LeftWrist",
-        "LeftElbow",
-        "Head",
-    ),
-    Clip(
-        "other/rokoko_jesse_dance.bvh",
-        ("LeftFoot", "RightFoot"),
-        "LeftHand",
-        "LeftForeArm",
-        "Head",
-    ),
-)
+@pytest.fixture(scope="session")
+def tell(request: pytest.FixtureRequest) -> Callable[[str], None]:
+    """Return what keeps a line for the end of a run, for whoever asks for details."""
+    return request.config.stash.setdefault(TOLD, []).append
 
 
-@dataclass(frozen=True, eq=False)
-class Captured:
-    """An imported clip."""
-
-    shot: Path
-    skeleton: str
-    clip: Clip
-    take: Take
-
-    def token(self, name: str) -> str:
-        return self.take.joints[self.take.index(name)]
-
-    def frames(self) -> tuple[float, float]:
-        return float(self.take.times[0]), float(self.take.times[-1])
-
-
-@pytest.fixture(params=CLIPS, ids=lambda clip: Path(clip.path).stem)
-def captured(request: pytest.FixtureRequest, mocap: Path, tmp_path: Path) -> Captured:
-    """Return a captured clip as a stage at 30 per second."""
-    clip: Clip = request.param
-    shot = tmp_path / "captured.usda"
-    recording = pipeline.import_motion(mocap / clip.path, shot, fps=30)
-    skeleton = f"/{recording.name}/Skeleton"
-    stage = Usd.Stage.Open(str(shot))
-    times = np.arange(stage.GetStartTimeCode() + clip.skip, stage.GetEndTimeCode() + 0.5)
-    return Captured(shot, skeleton, clip, Take.of(stage, skeleton, times))
+def pytest_terminal_summary(
+    terminalreporter: pytest.TerminalReporter, config: pytest.Config
+) -> None:
+    """Tell it."""
+    if config.get_verbosity() > 0:
+        for line in config.stash.get(TOLD, []):
+            terminalreporter.write_line(line)

@@ -35,21 +35,6 @@ def test_no_constraints_give_the_walk_back_to_the_bit(tmp_path, solve):
     assert np.array_equal(solved.after.world, solved.before.world)
 
 
-def test_captured_motion_comes_back_where_it_meets_what_is_asked(captured, asked, solve):
-    held = [*captured.clip.feet, captured.clip.wrist, captured.clip.head]
-    constraints = [
-        PositionConstraint(
-            path=f"Kept{rank}",
-            skeleton=captured.skeleton,
-            joint=captured.token(name),
-            priority=1 + rank // 2,
-        )
-        for rank, name in enumerate(held)
-    ]
-    shot = asked(captured.shot, captured.skeleton, constraints)
-    assert_is_the_input(solve(shot, captured.skeleton, frames=captured.frames()))
-
-
 def test_every_demo_is_built(tmp_path):
     for name in demos.NAMES:
         assert demos.build(name, tmp_path / "made").is_file()

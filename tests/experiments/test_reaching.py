@@ -6,7 +6,6 @@ from pathlib import Path
 import numpy as np
 from pxr import Usd
 
-from usdmotion.constraints import Goal, PositionConstraint
 from usdmotion.demos import gait, reaching
 from usdmotion.demos.walker import SKELETON
 
@@ -93,34 +92,3 @@ def test_without_the_constraint_the_centre_of_mass_leaves_its_supports(demo, sol
     )
     assert with_it <= 1.0
     assert without >= 100.0
-
-
-def test_captured_feet_stay_while_the_wrist_is_raised(captured, asked, solve):
-    first, last = captured.frames()
-    keys = np.linspace(first + 0.2 * (last - first), first + 0.8 * (last - first), 4)
-    height = captured.take.height
-    raised = Goal(
-        mode="offset",
-        translation=np.array([0.0, 0.08, 0.0]) * height / 1.7,
-        times=tuple((keys - captured.take.times[0] + captured.clip.skip) / 30.0),
-    )
-    feet = [
-        PositionConstraint(
-            path=f"Foot{index}", skeleton=captured.skeleton, joint=captured.token(name)
-        )
-        for index, name in enumerate(captured.clip.feet)
-    ]
-    wrist = PositionConstraint(
-        path="Wrist",
-        skeleton=captured.skeleton,
-        joint=captured.token(captured.clip.wrist),
-        priority=2,
-        goals=(raised,),
-    )
-    shot = asked(captured.shot, captured.skeleton, [*feet, wrist])
-    solved = solve(shot, captured.skeleton, frames=captured.frames())
-    for name in captured.clip.feet:
-        assert solved.moved(name) <= 0.02
-    there = (solved.after.times >= keys[1]) & (solved.after.times <= keys[2])
-    lifted = solved.after.point(captured.clip.wrist) - solved.before.point(captured.clip.wrist)
-    assert solved.millimetres((lifted - raised.translation)[there]) <= 2.0
