@@ -10,11 +10,11 @@ import usdmotion.kernels
 import usdmotion.testing
 
 NAMES = """
-Axes Body Bools Cast Character Constraint Demand Edit FileError Floats Goal InputError Ints Joint
-Motion OptionError OrientationConstraint Placement PluginError PointTask PositionConstraint Problem
-Reader Recording RotationTask Scene SceneError Skeleton Solution Solver Term TurnGoal
-UsdMotionError attribute composite_point composite_turn configured ease hookimpl host import_motion
-inspect option solve
+AimTask Axes Body Bools Cast Character Constraint Demand DistanceTask Edit FileError Floats Goal
+InputError Ints Joint Motion OptionError OrientationConstraint Placement PluginError PointTask
+PositionConstraint Problem Reader Recording RotationTask Scene SceneError Skeleton Solution Solver
+Term TurnGoal UsdMotionError attribute composite_point composite_turn configured ease hookimpl host
+import_motion inspect option relation solve
 """.split()
 
 

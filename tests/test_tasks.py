@@ -5,8 +5,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from usdmotion.constraints import Constraint, Goal, OrientationConstraint, PositionConstraint
-from usdmotion.kernels import Kind
+from usdmotion.constraints import (
+    AimConstraint,
+    Constraint,
+    DistanceConstraint,
+    Goal,
+    OrientationConstraint,
+    PositionConstraint,
+    Region,
+    RegionConstraint,
+)
+from usdmotion.kernels import Kind, Shape
 from usdmotion.solving import Problem
 from usdmotion.tasks import levels
 from usdmotion.testing import ARM, arm_scene
@@ -70,3 +79,27 @@ def test_recruits_are_the_named_joints_or_else_the_chain_to_the_root() -> None:
     assert table_of(WRIST).recruits.tolist() == [[False, True, True, True, True]]
     named = replace(WRIST, recruits=("base/shoulder",))
     assert table_of(named).recruits.tolist() == [[False, False, True, False, False]]
+
+
+def test_bounds_and_shapes_stand_beside_their_tasks() -> None:
+    region = Region(shape=Shape.CYLINDER, extent=np.array([0.1, 0.1, 0.4]))
+    table = table_of(
+        DistanceConstraint(
+            path="/Far",
+            skeleton=ARM,
+            joint=WRIST.joint,
+            other_joint="base",
+            bound="atLeast",
+            distance=np.array([0.1, 0.2, 0.3, 0.4]),
+        ),
+        RegionConstraint(path="/In", skeleton=ARM, joint=WRIST.joint, region=region, side="inside"),
+        AimConstraint(path="/Aim", skeleton=ARM, joint=WRIST.joint, goals=(Goal(),)),
+    )
+    assert table.kind.tolist() == [Kind.DISTANCE] * 3 + [Kind.AIM]
+    assert table.bound.tolist() == [1, -1, -1, 0]
+    assert table.distance[:, 0].tolist() == [0.1, 0.2, 0.3, 0.4]
+    assert table.shape.tolist() == [Shape.BOX, Shape.CYLINDER, Shape.BOX, Shape.BOX]
+    assert table.extent[0].tolist() == [
+        [0.0] * 3, [0.1, 0.1, np.inf], [np.inf, np.inf, 0.4], [0.0] * 3
+    ]  # fmt: skip
+    assert table.free_axis[3].tolist() == [0.0, 0.0, 1.0]

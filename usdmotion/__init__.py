@@ -16,6 +16,7 @@ if TYPE_CHECKING:
         OrientationConstraint,
         PositionConstraint,
         attribute,
+        relation,
     )
     from usdmotion.constraints.goal import composite_point, composite_turn
     from usdmotion.curves import ease
@@ -35,9 +36,19 @@ if TYPE_CHECKING:
     from usdmotion.recording import Reader, Recording
     from usdmotion.scene import Edit, Scene
     from usdmotion.solving import Problem, Solution, Solver
-    from usdmotion.tasks import Axes, Demand, PointTask, RotationTask, Term, TurnGoal
+    from usdmotion.tasks import (
+        AimTask,
+        Axes,
+        Demand,
+        DistanceTask,
+        PointTask,
+        RotationTask,
+        Term,
+        TurnGoal,
+    )
 
 __all__ = [
+    "AimTask",
     "Axes",
     "Body",
     "Bools",
@@ -45,6 +56,7 @@ __all__ = [
     "Character",
     "Constraint",
     "Demand",
+    "DistanceTask",
     "Edit",
     "FileError",
     "Floats",
@@ -81,6 +93,7 @@ __all__ = [
     "import_motion",
     "inspect",
     "option",
+    "relation",
     "solve",
 ]
 

@@ -104,18 +104,19 @@ def _same_tasks(one: TaskTable, other: TaskTable) -> bool:
 
 def _window(times: Floats, old: Constraint | None, new: Constraint | None) -> slice:
     """Return the frames outside of which a constraint is certain to ask for what it asked for."""
+    spans = hull(each.span(times) for each in (old, new) if each is not None)
     if old is None or new is None or not _only_goals_moved(old, new):
-        return hull(each.span(times) for each in (old, new) if each is not None)
+        return spans
     pairs = zip(old.goals, new.goals, strict=True)
     moved = [each for pair in pairs for each in pair if pair[0] is not pair[1]]
-    return _common(new.span(times), hull(each.span(times) for each in moved))
+    window = _common(spans, hull(each.span(times) for each in moved))
+    # A kind that looks at other frames may look at its goals' there, too.
+    return window if new.needs(times, window) == old.needs(times, window) == window else spans
 
 
 def _only_goals_moved(old: Constraint, new: Constraint) -> bool:
-    # A kind that looks at other frames may look at its goals' there, too.
-    local = type(old) is type(new) and type(new).needs is Constraint.needs
     return (
-        local
+        type(old) is type(new)
         and _same_but(old, new, {"goals"})
         and len(old.goals) == len(new.goals)
         and all(

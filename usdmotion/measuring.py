@@ -24,7 +24,7 @@ def measure(problem: Problem, solution: Solution, constraints: Sequence[Constrai
     cast, table = problem.cast, problem.table
     positions, orientations = forward(cast.parents, solution.translations, solution.rotations)
     left = residuals(table, positions, orientations)
-    turning = table.kind == Kind.ROTATION
+    turning = table.kind >= Kind.ROTATION
     errors = np.zeros((cast.frame_count, len(constraints)))
     for index, constraint in enumerate(constraints):
         in_degrees = constraint.unit == "deg"

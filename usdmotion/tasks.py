@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from usdmotion.arrays import Bools, Floats, Ints
-from usdmotion.kernels import Kind, TaskTable
+from usdmotion.kernels import Kind, Shape, TaskTable
 
 _IDENTITY = np.array([0.0, 0.0, 0.0, 1.0])
 
@@ -71,7 +71,36 @@ class RotationTask:
     free_axis: Floats = field(default_factory=lambda: np.zeros(3))
 
 
-Task = PointTask | RotationTask
+@dataclass(frozen=True, eq=False)
+class DistanceTask:
+    """Asks that the sum of some points be so far from a shape, or that far at least or at most."""
+
+    terms: tuple[Term, ...]
+    target: Floats
+    """World position, or difference of positions, of the shape [m], shape (frame_count, 3)."""
+    distance: Floats | float
+    """What is asked [m], a number or shape (frame_count,)."""
+    bound: int = 0
+    """0 exactly so far; 1 at least, -1 at most: these cost nothing until they are touched."""
+    shape: Shape = Shape.BOX
+    extent: Floats = field(default_factory=lambda: np.zeros(3))
+    """Half its size along its axes [m], shape (3,) or (frame_count, 3); may be infinite."""
+    rotation: Floats = field(default_factory=lambda: _IDENTITY)
+    """How it lies in the world, xyzw, shape (4,) or (frame_count, 4)."""
+
+
+@dataclass(frozen=True, eq=False)
+class AimTask:
+    """Asks that an axis of the first term's node point from the terms to the target."""
+
+    terms: tuple[Term, ...]
+    target: Floats
+    """World position, or difference of positions [m], shape (frame_count, 3)."""
+    axis: Floats
+    """In the frame of the first term's node, shape (3,)."""
+
+
+Task = PointTask | DistanceTask | RotationTask | AimTask
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +123,15 @@ class Demand:
 
 Columns = dict[str, NDArray[Any]]
 """Some columns of a table by their names."""
-_NO_POINT = PointTask(terms=(), target=np.zeros(3))
+_KINDS = {
+    PointTask: Kind.POINT,
+    DistanceTask: Kind.DISTANCE,
+    RotationTask: Kind.ROTATION,
+    AimTask: Kind.AIM,
+}
+_NOWHERE = np.zeros(3)
+_ALL = Axes()
+_NO_DISTANCE = DistanceTask(terms=(), target=_NOWHERE, distance=0.0)
 _NO_ROTATION = RotationTask(node=-1, goals=(), original=_IDENTITY, blend=np.zeros(()))
 
 
@@ -105,10 +142,11 @@ def tabulate(demands: Sequence[Demand], frame_count: int, node_count: int) -> Ta
     tasks = [task for _, task in rows]
     constraint = [index for index, _ in rows]
     return TaskTable(
-        kind=_ints(Kind.POINT if isinstance(task, PointTask) else Kind.ROTATION for task in tasks),
+        kind=_ints(_KINDS[type(task)] for task in tasks),
         constraint=_ints(constraint),
         **_shared_columns(demands, constraint, frame_count, node_count),
         **_point_columns(tasks, frame_count),
+        **_distance_columns(tasks, frame_count),
         **_term_columns([_terms(task) for task in tasks], frame_count),
         **_rotation_columns(tasks, frame_count),
         **_goal_columns([_goals(task) for task in tasks], frame_count),
@@ -131,21 +169,39 @@ def _shared_columns(
 
 
 def _point_columns(tasks: Sequence[Task], frame_count: int) -> Columns:
-    points = [task if isinstance(task, PointTask) else _NO_POINT for task in tasks]
-    axes = [point.axes for point in points]
+    axes = [task.axes if isinstance(task, PointTask) else _ALL for task in tasks]
+    targets = [_NOWHERE if isinstance(task, RotationTask) else task.target for task in tasks]
+    turns = [
+        task.rotation if isinstance(task, DistanceTask) else each.rotation
+        for task, each in zip(tasks, axes, strict=True)
+    ]
     return {
-        "target": _over_frames([point.target for point in points], frame_count, 3),
+        "target": _over_frames(targets, frame_count, 3),
         "axes": _stack([np.array(each.held) for each in axes], 3, np.bool_),
         "axes_node": _ints(each.node for each in axes),
-        "axes_rotation": _over_frames([each.rotation for each in axes], frame_count, 4),
+        "axes_rotation": _over_frames(turns, frame_count, 4),
+    }
+
+
+def _distance_columns(tasks: Sequence[Task], frame_count: int) -> Columns:
+    distances = [task if isinstance(task, DistanceTask) else _NO_DISTANCE for task in tasks]
+    return {
+        "shape": _ints(each.shape for each in distances),
+        "extent": _over_frames([each.extent for each in distances], frame_count, 3),
+        "distance": _over_frames([each.distance for each in distances], frame_count),
+        "bound": _ints(each.bound for each in distances),
     }
 
 
 def _rotation_columns(tasks: Sequence[Task], frame_count: int) -> Columns:
     turns = [task if isinstance(task, RotationTask) else _NO_ROTATION for task in tasks]
+    free = [
+        task.axis if isinstance(task, AimTask) else turn.free_axis
+        for task, turn in zip(tasks, turns, strict=True)
+    ]
     return {
         "offset": _stack([turn.offset for turn in turns], 4, np.float64),
-        "free_axis": _stack([turn.free_axis for turn in turns], 3, np.float64),
+        "free_axis": _stack(free, 3, np.float64),
         "original": _over_frames([turn.original for turn in turns], frame_count, 4),
         "blend": _over_frames([turn.blend for turn in turns], frame_count),
     }
@@ -172,7 +228,7 @@ def _goal_columns(groups: Sequence[Sequence[TurnGoal]], frame_count: int) -> Col
 
 
 def _terms(task: Task) -> tuple[Term, ...]:
-    return task.terms if isinstance(task, PointTask) else (Term(task.node, np.zeros(3)),)
+    return (Term(task.node, _NOWHERE),) if isinstance(task, RotationTask) else task.terms
 
 
 def _goals(task: Task) -> tuple[TurnGoal, ...]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from usdmotion.kernels import shared, task_error
+from usdmotion.kernels import is_slack, shared, task_error
 from usdmotion_prioritized_ik.iteration import worst
 from usdmotion_prioritized_ik.posture import carry_over, recruit, restore, save, start
 from usdmotion_prioritized_ik.state import Work
@@ -62,6 +62,8 @@ def keep(work: Work, frame: int, task: int, share: float) -> None:
     """From here on a task is to leave a share of the error that it has now."""
     pose, kept = work.pose[0], work.asked[0].kept
     error = task_error(work.table, frame, task, pose.positions, pose.orientations)
+    if is_slack(work.table, task, error):
+        error = (0.0, 0.0, 0.0)
     for axis in range(3):
         kept[task, axis] = share * error[axis]
 

@@ -3,7 +3,7 @@
 import math
 
 from usdmotion import Floats
-from usdmotion.kernels import Kind, shared, summing, task_error, task_rows
+from usdmotion.kernels import Kind, is_slack, shared, summing, task_error, task_rows
 from usdmotion_prioritized_ik.posture import largest_turn, move, preserve
 from usdmotion_prioritized_ik.stack import add, descend, dot, remove_spanned
 from usdmotion_prioritized_ik.state import Work
@@ -118,11 +118,13 @@ def linearize(work: Work, frame: int, levels: int) -> float:
             kept = asked.kept[task]
             error = (error[0] - kept[0], error[1] - kept[1], error[2] - kept[2])
             rows, errors = stack.rows[row : row + 3], stack.errors[row : row + 3]
-            count = task_rows(
-                work.table, frame, task, given.parents, given.translates, pose.columns,
-                stack.widths[level], pose.positions, pose.orientations, error,
-                rows, errors, asked.block,
-            )  # fmt: skip
+            count = 0
+            if not is_slack(work.table, task, error):
+                count = task_rows(
+                    work.table, frame, task, given.parents, given.translates, pose.columns,
+                    stack.widths[level], pose.positions, pose.orientations, error,
+                    rows, errors, asked.block,
+                )  # fmt: skip
             length = math.sqrt(dot(errors, errors, count))
             change = max(change, abs(length - asked.errors[task]))
             asked.errors[task] = length
@@ -137,7 +139,7 @@ def _weigh(work: Work, frame: int, task: int, rows: Floats, errors: Floats) -> N
     """Scale the rows of a task and their errors; a far goal is approached in steps."""
     table = work.table[0]
     scale = math.sqrt(table.weight[frame, task])
-    if table.kind[task] == ROTATION:
+    if table.kind[task] >= ROTATION:
         scale *= TURN_LENGTH
     near = min(1.0, work.settings[0].reach_limit / max(work.asked[0].errors[task], 1e-12))
     width = work.stack[0].widths[table.level[task]]

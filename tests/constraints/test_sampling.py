@@ -6,7 +6,15 @@ import numpy as np
 import pytest
 
 from usdmotion.cast import Cast
-from usdmotion.constraints import Constraint, Goal, Space, TrajectoryConstraint, built_in, during
+from usdmotion.constraints import (
+    Constraint,
+    Goal,
+    Region,
+    Space,
+    TrajectoryConstraint,
+    built_in,
+    during,
+)
 from usdmotion.kernels import TaskTable, from_vector
 from usdmotion.tasks import tabulate
 from usdmotion.testing import ARM, arm_scene
@@ -24,6 +32,19 @@ NEEDED = {
     "MotionCenterOfMassConstraint": {
         "supports": ("base", "base/shoulder", "base/shoulder/elbow"),
         "displacement": RANDOM.normal(size=(30, 3)),
+    },
+    "MotionDistanceConstraint": {
+        "other_joint": "base",
+        "other_point": RANDOM.normal(size=(30, 3)),
+        "distance": np.maximum(np.linspace(-0.3, 0.4, 30), 0.0),
+    },
+    "MotionRegionConstraint": {
+        "region": Region(
+            extent=RANDOM.uniform(0.1, 0.5, size=(30, 3)),
+            margin=np.linspace(0.1, 0.2, 30),
+            translation=RANDOM.normal(size=(30, 3)),
+            rotation=from_vector(RANDOM.normal(size=(30, 3))),
+        )
     },
 }
 """What a kind does not go without, and what it has for each frame."""

@@ -8,12 +8,16 @@ from pxr import Usd, UsdGeom
 
 from usdmotion import usd
 from usdmotion.constraints import (
+    DistanceConstraint,
     Goal,
     OrientationConstraint,
     PositionConstraint,
+    Region,
+    RegionConstraint,
     TrajectoryConstraint,
     attributes,
     built_in,
+    relations,
 )
 from usdmotion.errors import SceneError
 
@@ -27,7 +31,8 @@ def there_and_back(text, save, read):
     """Return a function that authors a constraint on a stage and reads it from there."""
 
     def run(constraint, *, time_codes=None, **options):
-        path = save(text.man(edit="", **options), header="metersPerUnit = 0.01")
+        man = text.man(edit="", inside='def Cube "Rock" {}', **options)
+        path = save(man, header="metersPerUnit = 0.01")
         stage = Usd.Stage.Open(str(path))
         usd.author_edit(stage, EDIT)
         usd.author(stage, f"{EDIT}/It", constraint, time_codes=time_codes)
@@ -56,6 +61,9 @@ def different(each):
         "continuity": (0.25, -0.5),
         "bias": (0.0, 0.75),
         "kind": "line",
+        "other_joint": "hip/head",
+        "bound": "atMost",
+        "side": "inside",
         "orientation": np.array((0.0, HALF, 0.0, HALF)),
         "template": True,
         "rotation": np.array((HALF, 0.0, 0.0, HALF), dtype=np.float32).astype(float),
@@ -69,12 +77,17 @@ def different(each):
 
 def needed(kind):
     """Return the fields without which a kind cannot be read."""
-    return {"times": (0.0, 2 / 24)} if kind is TrajectoryConstraint else {}
+    fields = {
+        TrajectoryConstraint: {"times": (0.0, 2 / 24)},
+        DistanceConstraint: {"other_joint": "hip/head"},
+        RegionConstraint: {"region": Region(path="/Man/Rock", extent=np.full(3, 0.01))},
+    }
+    return fields.get(kind, {})
 
 
 def differ(kind):
     """Return the fields of a kind, none at its default where the test knows another value."""
-    return {each.field: different(each) for each in attributes(kind)}
+    return needed(kind) | {each.field: different(each) for each in attributes(kind)}
 
 
 def assert_equal(found, wanted):
@@ -85,6 +98,9 @@ def assert_equal(found, wanted):
             assert held == getattr(wanted, each.field), each.field
         else:
             np.testing.assert_allclose(held, getattr(wanted, each.field), atol=1e-12)
+    for each in relations(type(wanted)):
+        named, meant = getattr(found, each.field), getattr(wanted, each.field)
+        assert getattr(named, "path", named) == getattr(meant, "path", meant), each.field
 
 
 @pytest.mark.parametrize("kind", built_in(), ids=lambda kind: kind.schema)
@@ -217,3 +233,33 @@ def test_what_is_no_path_is_refused(text, save, path):
     stage = Usd.Stage.Open(str(save(text.man())))
     with pytest.raises(SceneError, match="is no path of a prim"):
         usd.author_edit(stage, path)
+
+
+def test_a_distance_between_two_characters_is_read_as_it_was_authored(text, save, read):
+    path = save(text.man("Ann", edit="") + text.man("Bob", edit="", xform=text.SCALED))
+    stage = Usd.Stage.Open(str(path))
+    constraint = DistanceConstraint(
+        path="",
+        skeleton="/Ann/Bones",
+        joint="hip",
+        other_skeleton="/Bob/Bones",
+        other_joint="hip/head",
+        other_point=np.array((0.2, 0.4, 0.6)),
+    )
+    usd.author_edit(stage, "/Ann/Bones/Edit")
+    usd.author(stage, "/Ann/Bones/Edit/It", constraint)
+    stage.Save()
+    point = stage.GetAttributeAtPath("/Ann/Bones/Edit/It.usdmotion:otherPoint").Get()
+    np.testing.assert_allclose(point, (0.1, 0.2, 0.3))  # Bob is scaled by two
+    del stage
+    (scene,) = read(path).scenes
+    assert [each.path for each in scene.characters] == ["/Ann/Bones", "/Bob/Bones"]
+    assert scene.constraints[0].other_skeleton == "/Bob/Bones"
+    assert_equal(scene.constraints[0], constraint)
+
+
+def test_a_region_without_a_prim_cannot_be_authored(text, save):
+    stage = Usd.Stage.Open(str(save(text.man(edit=""))))
+    constraint = RegionConstraint(path="", skeleton="/Man/Bones", joint="hip", region=Region())
+    with pytest.raises(SceneError, match="usdmotion:region whose path nobody says"):
+        usd.author(stage, f"{EDIT}/It", constraint)

@@ -8,31 +8,48 @@ through `register_constraints`.
 from importlib import import_module
 from pkgutil import iter_modules
 
-from usdmotion.constraints.attributes import Attribute, attribute, attributes
+from usdmotion.constraints.aim import AimConstraint
+from usdmotion.constraints.attributes import (
+    Attribute,
+    Relation,
+    attribute,
+    attributes,
+    relation,
+    relations,
+)
 from usdmotion.constraints.center_of_mass import CenterOfMassConstraint
 from usdmotion.constraints.constraint import Constraint
 from usdmotion.constraints.contact import ContactConstraint
+from usdmotion.constraints.distance import DistanceConstraint
 from usdmotion.constraints.goal import Goal
 from usdmotion.constraints.orientation import OrientationConstraint
 from usdmotion.constraints.position import PositionConstraint
+from usdmotion.constraints.region import Region, RegionConstraint
 from usdmotion.constraints.sampling import during
 from usdmotion.constraints.space import Space
 from usdmotion.constraints.trajectory import TrajectoryConstraint
 
 __all__ = [
+    "AimConstraint",
     "Attribute",
     "CenterOfMassConstraint",
     "Constraint",
     "ContactConstraint",
+    "DistanceConstraint",
     "Goal",
     "OrientationConstraint",
     "PositionConstraint",
+    "Region",
+    "RegionConstraint",
+    "Relation",
     "Space",
     "TrajectoryConstraint",
     "attribute",
     "attributes",
     "built_in",
     "during",
+    "relation",
+    "relations",
 ]
 
 

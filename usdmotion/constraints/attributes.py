@@ -1,10 +1,11 @@
-"""Fields of a constraint that are attributes of its schema class, under the same name."""
+"""Fields of a constraint that are properties of its schema class, under the same name."""
 
 import dataclasses
 from dataclasses import dataclass
 from typing import Any, Literal
 
 Unit = Literal["", "length", "time"]
+Target = Literal["skeleton", "region"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,10 +22,27 @@ class Attribute:
     frame: str = ""
     """In whose frame lengths are given: "" the stage's, "space" the relation `space`, "edit" the
     MotionEdit's; else the field with the token of the joint, or with the tokens, a point each."""
+    skeleton: str = "skeleton"
+    """The field with the path of the Skeleton whose joint that is, the edit's where it is empty."""
 
     @property
     def name(self) -> str:
         """Name of the USD attribute, for example `usdmotion:freeAxis`."""
+        return property_name(self.field)
+
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """One relationship of a constraint kind, as a generic reader or writer needs to know it."""
+
+    field: str
+    """Name of the dataclass field, for example `other_skeleton`."""
+    target: Target
+    """What it names: a "skeleton" is its path, a "region" a `Region`."""
+
+    @property
+    def name(self) -> str:
+        """Name of the USD relationship, for example `usdmotion:otherSkeleton`."""
         return property_name(self.field)
 
 
@@ -34,12 +52,28 @@ def property_name(field: str) -> str:
     return "usdmotion:" + first + "".join(word.capitalize() for word in rest)
 
 
-def attribute(default: Any, *, unit: Unit = "", animated: bool = False, frame: str = "") -> Any:
+def attribute(
+    default: Any,
+    *,
+    unit: Unit = "",
+    animated: bool = False,
+    frame: str = "",
+    skeleton: str = "skeleton",
+) -> Any:
     """Declare a dataclass field that is read from, and written to, an attribute of the schema."""
-    details = {"unit": unit, "animated": animated, "frame": frame}
+    details = {"unit": unit, "animated": animated, "frame": frame, "skeleton": skeleton}
     if isinstance(default, (tuple, str, int, float)):
         return dataclasses.field(default=default, metadata={"attribute": details})
     return dataclasses.field(default_factory=default, metadata={"attribute": details})
+
+
+def relation(target: Target) -> Any:
+    """Declare a dataclass field that is read from, and written to, a relationship of the schema.
+
+    Where it names nothing, a skeleton is "" and a region None.
+    """
+    default = "" if target == "skeleton" else None
+    return dataclasses.field(default=default, metadata={"relation": target})
 
 
 def attributes(kind: type) -> tuple[Attribute, ...]:
@@ -54,4 +88,13 @@ def attributes(kind: type) -> tuple[Attribute, ...]:
         )
         for field in dataclasses.fields(kind)
         if "attribute" in field.metadata
+    )
+
+
+def relations(kind: type) -> tuple[Relation, ...]:
+    """Return the relationships of a constraint kind."""
+    return tuple(
+        Relation(field.name, field.metadata["relation"])
+        for field in dataclasses.fields(kind)
+        if "relation" in field.metadata
     )

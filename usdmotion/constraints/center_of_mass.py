@@ -10,9 +10,8 @@ from usdmotion.arrays import Floats
 from usdmotion.cast import Cast
 from usdmotion.constraints.attributes import attribute
 from usdmotion.constraints.constraint import Constraint
-from usdmotion.constraints.goal import Shares, composite_point
+from usdmotion.constraints.goal import Shares, composite_point, trajectory
 from usdmotion.errors import SceneError
-from usdmotion.kernels import world_points
 from usdmotion.tasks import PointTask, Term
 
 
@@ -40,7 +39,7 @@ class CenterOfMassConstraint(Constraint):
     def tasks(self, cast: Cast) -> Iterator[PointTask]:
         """Yield one point task: the body's mass points, less what the supports carry along."""
         body, supports = self._body(cast), self._supports(cast)
-        original = _where(cast, body) - _where(cast, supports) + self.displacement
+        original = trajectory(cast, body) - trajectory(cast, supports) + self.displacement
         task = composite_point(cast, self.goals, body, original, self.axes, self.path)
         # A goal in a place of its own does not move with the supports, the others do.
         shares = Shares.of(self.goals, cast.times).weights
@@ -90,14 +89,3 @@ class CenterOfMassConstraint(Constraint):
         nodes = [cast.node((self.skeleton, token), self.path) for token in self.supports]
         pairs = zip(nodes, points, strict=True)
         return tuple(Term(node, point, 1.0 / count) for node, point in pairs)
-
-
-def _where(cast: Cast, terms: tuple[Term, ...]) -> Floats:
-    """Return the sum of some terms in the input motion [m], shape (frame_count, 3)."""
-    total = np.zeros((cast.frame_count, 3))
-    for term in terms:
-        place = world_points(
-            cast.positions[:, term.node], cast.orientations[:, term.node], term.point
-        )
-        total += term.coefficient * place
-    return total

@@ -10,7 +10,7 @@ from usdmotion.cast import Cast, Joint
 from usdmotion.constraints.attributes import attribute
 from usdmotion.curves import between, ease
 from usdmotion.errors import SceneError
-from usdmotion.kernels import chordal_mean, multiply, slerp
+from usdmotion.kernels import chordal_mean, multiply, slerp, world_points
 from usdmotion.tasks import Axes, PointTask, RotationTask, Term, TurnGoal
 
 
@@ -67,6 +67,24 @@ class Shares:
         scale = np.divide(blend, total, out=np.zeros_like(total), where=total > 0.0)
         return cls(tuple(active * scale), blend)
 
+    @classmethod
+    def full(cls, goals: Sequence[Goal], times: Floats) -> "Shares":
+        """Return the shares of some goals as if their mean were fully on."""
+        active = np.array([goal.share(times) for goal in goals])
+        active[:, active.sum(axis=0) <= 0.0] = 1.0
+        return cls(tuple(active / active.sum(axis=0)), np.ones(len(times)))
+
+
+def trajectory(cast: Cast, terms: Sequence[Term]) -> Floats:
+    """Return the sum of some terms in the input motion [m], shape (frame_count, 3)."""
+    total = np.zeros((cast.frame_count, 3))
+    for term in terms:
+        place = world_points(
+            cast.positions[:, term.node], cast.orientations[:, term.node], term.point
+        )
+        total += np.reshape(term.coefficient, (-1, 1)) * place
+    return total
+
 
 def composite_point(
     cast: Cast,
@@ -75,6 +93,7 @@ def composite_point(
     original: Floats,
     held: str,
     path: str,
+    shares: Shares | None = None,
 ) -> PointTask:
     """Return the task that brings an effector to the composite of its goals.
 
@@ -85,8 +104,9 @@ def composite_point(
         original: Its world trajectory in the input motion [m], shape (frame_count, 3).
         held: The axes along which it is held, of "xyz".
         path: Whom to name in an error.
+        shares: How much each goal counts; None is what their activities say.
     """
-    shares = Shares.of(goals, cast.times)
+    shares = shares or Shares.of(goals, cast.times)
     target = (1.0 - shares.blend)[:, None] * original
     terms = list(effector)
     for goal, weight in zip(goals, shares.weights, strict=True):

@@ -7,8 +7,7 @@ from typing import ClassVar
 from usdmotion.cast import Cast
 from usdmotion.constraints.attributes import attribute
 from usdmotion.constraints.constraint import Constraint
-from usdmotion.constraints.goal import composite_point
-from usdmotion.kernels import world_points
+from usdmotion.constraints.goal import composite_point, trajectory
 from usdmotion.tasks import PointTask
 
 
@@ -22,7 +21,6 @@ class PositionConstraint(Constraint):
 
     def tasks(self, cast: Cast) -> Iterator[PointTask]:
         """Yield one point task."""
-        effector = self.effector(cast)
-        node = effector.node
-        original = world_points(cast.positions[:, node], cast.orientations[:, node], self.point)
-        yield composite_point(cast, self.goals, [effector], original, self.axes, self.path)
+        effector = [self.effector(cast)]
+        original = trajectory(cast, effector)
+        yield composite_point(cast, self.goals, effector, original, self.axes, self.path)

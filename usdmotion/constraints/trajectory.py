@@ -10,10 +10,10 @@ from usdmotion.arrays import Bools, Floats
 from usdmotion.cast import Cast
 from usdmotion.constraints.attributes import attribute
 from usdmotion.constraints.constraint import Constraint
+from usdmotion.constraints.goal import trajectory
 from usdmotion.constraints.space import Space
 from usdmotion.curves import ease, kochanek_bartels, time_curve
 from usdmotion.errors import SceneError
-from usdmotion.kernels import world_points
 from usdmotion.tasks import PointTask
 
 
@@ -45,9 +45,7 @@ class TrajectoryConstraint(Constraint):
         """Yield one point task."""
         self._check()
         effector = self.effector(cast)
-        node = effector.node
-        world = world_points(cast.positions[:, node], cast.orientations[:, node], self.point)
-        original = self.space.inside(cast, world, self.path)
+        original = self.space.inside(cast, trajectory(cast, [effector]), self.path)
         places = np.array(original)
         on = self._on(cast)
         places[on] = self._curve(cast.times, original)[on]

@@ -8,7 +8,7 @@ from usdmotion.kernels.compiling import kernel, shared, summing
 from usdmotion.kernels.jacobians import number_columns, task_rows
 from usdmotion.kernels.kinematics import forward, place, relative, world_points
 from usdmotion.kernels.parts import Reference, apart, reference
-from usdmotion.kernels.residuals import residuals, task_error
+from usdmotion.kernels.residuals import is_slack, residuals, task_error
 from usdmotion.kernels.rotations import (
     chordal_mean,
     compose,
@@ -19,12 +19,14 @@ from usdmotion.kernels.rotations import (
     slerp,
     to_vector,
 )
-from usdmotion.kernels.table import OVER_FRAMES, Kind, TaskTable
+from usdmotion.kernels.shapes import gaps
+from usdmotion.kernels.table import OVER_FRAMES, Kind, Shape, TaskTable
 
 __all__ = [
     "OVER_FRAMES",
     "Kind",
     "Reference",
+    "Shape",
     "TaskTable",
     "apart",
     "chordal_mean",
@@ -32,6 +34,8 @@ __all__ = [
     "conjugate",
     "forward",
     "from_vector",
+    "gaps",
+    "is_slack",
     "kernel",
     "multiply",
     "number_columns",

@@ -11,8 +11,18 @@ from usdmotion.arrays import Bools, Floats, Ints
 from usdmotion.kernels.compiling import shared
 from usdmotion.kernels.parts import Reference
 from usdmotion.kernels.quaternions import cross, quaternion_at, turned, vector_at, vector_in
-from usdmotion.kernels.residuals import ROTATION, held_axis
+from usdmotion.kernels.residuals import (
+    AIM,
+    DISTANCE,
+    ROTATION,
+    held_axis,
+    seen_from_target,
+    world_gap,
+)
 from usdmotion.kernels.table import TaskTable
+
+NEAREST = 1e-3
+"""Nearer than this an aim's line of sight turns no faster [m]."""
 
 
 @shared
@@ -64,20 +74,19 @@ def task_rows(
     whole = table.axes[task, 0] and table.axes[task, 1] and table.axes[task, 2]
     free = vector_at(table.free_axis, task)
     turning = free[0] != 0.0 or free[1] != 0.0 or free[2] != 0.0
-    direct = whole and not turning
-    target = rows if direct else block
-    _clear(target, width)
-    if table.kind[task] == ROTATION:
-        _turn_block(tasks, frame, task, parents, columns, target)
-    else:
-        for term in range(table.first_term[task], table.first_term[task + 1]):
-            _add_point(
-                tasks, frame, task, term, parents, translates, columns, positions, orientations,
-                target,
-            )  # fmt: skip
+    direct = whole and not turning and table.kind[task] != DISTANCE
+    _fill(
+        tasks, frame, task, parents, translates, columns, width, positions, orientations,
+        rows if direct else block,
+    )  # fmt: skip
     if direct:
         errors[0], errors[1], errors[2] = error
         return 3
+    if table.kind[task] == DISTANCE:
+        away = world_gap(tasks, frame, task, positions, orientations)
+        _project((away[0], away[1], away[2]), error, block, rows[0], width)
+        errors[0] = error[0]
+        return 1
     if turning:
         node = table.term_node[table.first_term[task]]
         held = turned(quaternion_at(orientations, node), free)
@@ -88,10 +97,33 @@ def task_rows(
 
 
 @shared
-def _clear(rows: Floats, width: int) -> None:
+def _fill(
+    tasks: Reference[TaskTable],
+    frame: int,
+    task: int,
+    parents: Ints,
+    translates: Bools,
+    columns: Ints,
+    width: int,
+    positions: Floats,
+    orientations: Floats,
+    rows: Floats,
+) -> None:
+    """Write how the sum of the terms moves, or how a node turns in the frame of what it faces."""
+    table = tasks[0]
     for row in range(3):
         for column in range(width):
             rows[row, column] = 0.0
+    if table.kind[task] == ROTATION:
+        _turn_block(tasks, frame, task, parents, columns, rows)
+        return
+    for term in range(table.first_term[task], table.first_term[task + 1]):
+        _add_point(
+            tasks, frame, task, term, parents, translates, columns, positions, orientations, rows,
+        )  # fmt: skip
+    if table.kind[task] == AIM:
+        seen = seen_from_target(tasks, frame, task, positions, orientations)
+        _sight_block(tasks, task, parents, columns, width, seen, rows)
 
 
 @shared
@@ -173,6 +205,31 @@ def _turn_block(
         if node >= 0 and total > 0.0:
             share = table.blend[frame, task] * table.goal_weight[frame, goal] / total
             _add_turn(tasks, task, parents, columns, node, -share, rows)
+
+
+@shared
+def _sight_block(
+    tasks: Reference[TaskTable],
+    task: int,
+    parents: Ints,
+    columns: Ints,
+    width: int,
+    seen: Any,
+    rows: Floats,
+) -> None:
+    """The first node's turning minus that of the line of sight, from the rows of its ends.
+
+    Of u = v/‖v‖ the angular velocity is u × v̇ / ‖v‖, whichever way it points.
+    """
+    x, y, z = seen
+    square = max(x * x + y * y + z * z, NEAREST * NEAREST)
+    for column in range(width):
+        a, b, c = rows[0, column], rows[1, column], rows[2, column]
+        rows[0, column] = (z * b - y * c) / square
+        rows[1, column] = (x * c - z * a) / square
+        rows[2, column] = (y * a - x * b) / square
+    table = tasks[0]
+    _add_turn(tasks, task, parents, columns, table.term_node[table.first_term[task]], 1.0, rows)
 
 
 @shared

@@ -23,9 +23,10 @@ from usdmotion.kernels.quaternions import (
     vector_at,
     vector_in,
 )
+from usdmotion.kernels.shapes import Gap, gap
 from usdmotion.kernels.table import Kind, TaskTable
 
-ROTATION = int(Kind.ROTATION)
+DISTANCE, ROTATION, AIM = int(Kind.DISTANCE), int(Kind.ROTATION), int(Kind.AIM)
 
 
 @kernel
@@ -33,11 +34,12 @@ def residuals(table: TaskTable, positions: Floats, orientations: Floats) -> Floa
     """(F, N, 3), (F, N, 4) to (F, T): metres for points, radians for rotations."""
     tasks = reference(table)
     frames, count = positions.shape[0], table.kind.shape[0]
-    errors = np.empty((frames, count))
+    errors = np.zeros((frames, count))
     for frame in range(frames):
         for task in range(count):
             error = task_error(tasks, frame, task, positions[frame], orientations[frame])
-            errors[frame, task] = held_length(tasks, frame, task, error, orientations[frame])
+            if not is_slack(tasks, task, error):
+                errors[frame, task] = held_length(tasks, frame, task, error, orientations[frame])
     return errors
 
 
@@ -45,19 +47,62 @@ def residuals(table: TaskTable, positions: Floats, orientations: Floats) -> Floa
 def task_error(
     tasks: Reference[TaskTable], frame: int, task: int, positions: Floats, orientations: Floats
 ) -> Vector:
-    """Return the world vector from what is to what is asked: metres, or a rotation vector."""
+    """Return what is asked less what is.
+
+    For a point the world vector [m], for a rotation or an aim the world rotation vector [rad], for
+    a distance what is to be added to it and twice 0 [m].
+    """
     table = tasks[0]
     if table.kind[task] == ROTATION:
         return _turn_error(tasks, frame, task, orientations)
+    if table.kind[task] == DISTANCE:
+        found = world_gap(tasks, frame, task, positions, orientations)
+        return (table.distance[frame, task] - found[3], 0.0, 0.0)
+    x, y, z = seen_from_target(tasks, frame, task, positions, orientations)
+    if table.kind[task] == AIM:
+        node = table.term_node[table.first_term[task]]
+        axis = turned(quaternion_at(orientations, node), vector_at(table.free_axis, task))
+        return _between(axis, (-x, -y, -z))
+    return (-x, -y, -z)
+
+
+@shared
+def is_slack(tasks: Reference[TaskTable], task: int, error: Any) -> bool:
+    """Tell whether a task is a bound that an error, as `task_error` gives it, keeps."""
+    bound = tasks[0].bound[task]
+    return bool(bound != 0 and bound * error[0] <= 0.0)
+
+
+@shared
+def seen_from_target(
+    tasks: Reference[TaskTable], frame: int, task: int, positions: Floats, orientations: Floats
+) -> Vector:
+    """Return the sum of a task's terms less its target, in the world [m]."""
+    table = tasks[0]
     x, y, z = vector_in(table.target, frame, task)
+    x, y, z = -x, -y, -z
     for term in range(table.first_term[task], table.first_term[task + 1]):
         node = table.term_node[term]
         factor = table.term_coefficient[frame, term]
         point = turned(quaternion_at(orientations, node), vector_in(table.term_point, frame, term))
-        x -= factor * (positions[node, 0] + point[0])
-        y -= factor * (positions[node, 1] + point[1])
-        z -= factor * (positions[node, 2] + point[2])
+        x += factor * (positions[node, 0] + point[0])
+        y += factor * (positions[node, 1] + point[1])
+        z += factor * (positions[node, 2] + point[2])
     return (x, y, z)
+
+
+@shared
+def world_gap(
+    tasks: Reference[TaskTable], frame: int, task: int, positions: Floats, orientations: Floats
+) -> Gap:
+    """Return the gap between the sum of a distance task's terms and its shape, in the world."""
+    table = tasks[0]
+    seen = seen_from_target(tasks, frame, task, positions, orientations)
+    turn = quaternion_in(table.axes_rotation, frame, task)
+    within = turned(inverse(turn), seen)
+    found = gap(table.shape[task], vector_in(table.extent, frame, task), within)
+    x, y, z = turned(turn, (found[0], found[1], found[2]))
+    return (x, y, z, found[3])
 
 
 @shared
@@ -66,6 +111,8 @@ def held_length(
 ) -> float:
     """Return the length of an error along the directions that the task holds."""
     table = tasks[0]
+    if table.kind[task] == DISTANCE:
+        return abs(float(error[0]))
     square = 0.0
     for axis in range(3):
         if table.axes[task, axis]:

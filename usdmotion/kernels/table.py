@@ -11,12 +11,27 @@ from usdmotion.arrays import Bools, Floats, Ints
 
 
 class Kind(IntEnum):
-    """The primitive kinds of tasks."""
+    """The primitive kinds of tasks; from ROTATION on their errors are angles."""
 
     POINT = 0
     """Σ coefficient · point of the terms is at the target [m]."""
-    ROTATION = 1
-    """The first term's node, turned by the offset, has the orientation asked for."""
+    DISTANCE = 1
+    """Σ coefficient · point of the terms, less the target, is so far from a shape about 0 [m]."""
+    ROTATION = 2
+    """The first term's node, turned by the offset, has the orientation asked for [rad]."""
+    AIM = 3
+    """The free axis of the first term's node points from the sum to the target [rad]."""
+
+
+class Shape(IntEnum):
+    """What the distance of a DISTANCE task is from; inside a shape it is negative."""
+
+    BOX = 0
+    """A cuboid; without extent along an axis a plate, a segment, a point."""
+    CYLINDER = 1
+    """About its z axis."""
+    HALF_SPACE = 2
+    """Below its z = 0."""
 
 
 class TaskTable(NamedTuple):
@@ -39,7 +54,7 @@ class TaskTable(NamedTuple):
     axes_node: Ints
     """(T,) node in whose frame the axes are, -1 for the world."""
     axes_rotation: Floats
-    """(F, T, 4) orientation of the axes in that frame."""
+    """(F, T, 4) orientation of the axes, or of the shape, in that frame."""
     first_term: Ints
     """(T + 1,) the terms of task t are first_term[t] to first_term[t + 1]."""
     term_node: Ints
@@ -49,11 +64,20 @@ class TaskTable(NamedTuple):
     term_coefficient: Floats
     """(F, K) its factor in the sum."""
     target: Floats
-    """(F, T, 3) what the sum of a POINT task should be [m]."""
+    """(F, T, 3) what the sum of the terms should be, or is seen from [m]."""
+    shape: Ints
+    """(T,) a `Shape`."""
+    extent: Floats
+    """(F, T, 3) half its size along its axes, a cylinder's radius first; may be infinite [m]."""
+    distance: Floats
+    """(F, T) how far a DISTANCE task is to be from it [m]."""
+    bound: Ints
+    """(T,) 0 exactly so far, 1 at least, −1 at most: those ask for nothing until touched."""
     offset: Floats
     """(T, 4) rotation in the node's frame, applied before it is compared."""
     free_axis: Floats
-    """(T, 3) axis of the node's frame about which turning is free; zero for none."""
+    """(T, 3) axis of the node's frame about which turning is free, and the one that aims; zero for
+    none."""
     first_goal: Ints
     """(T + 1,) the goals of a ROTATION task t are first_goal[t] to first_goal[t + 1]."""
     goal_node: Ints
@@ -79,6 +103,8 @@ OVER_FRAMES = (
     "term_point",
     "term_coefficient",
     "target",
+    "extent",
+    "distance",
     "goal_rotation",
     "goal_weight",
     "original",

@@ -9,7 +9,7 @@ from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint
 from usdmotion.usd.attribute_authoring import author_fields, define, time_code_array
 from usdmotion.usd.clips import own_times
-from usdmotion.usd.frame_authoring import author_space, in_units
+from usdmotion.usd.frame_authoring import author_relations, author_space, in_units
 from usdmotion.usd.goal_authoring import author_goal
 from usdmotion.usd.origins import source_of
 from usdmotion.usd.relations import edit_of, floats, skeleton_of, value
@@ -86,6 +86,7 @@ def author(
     codes = _first_code(stage, path, facts) if time_codes is None else np.array(time_codes, float)
     prim = define(stage, path, constraint.schema)
     author_space(constraint, prim)
+    author_relations(constraint, prim)
     author_fields(prim, in_units(constraint, prim, edit_of(prim), codes, facts), codes, facts)
     for index, goal in enumerate(constraint.goals):
         name = goal.path.rsplit("/", 1)[-1] or f"Goal{index + 1}"

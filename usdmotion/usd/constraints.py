@@ -1,17 +1,19 @@
 """The constraints of an edit, of any kind, from their prims."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 from pxr import Usd
 
 from usdmotion.arrays import Floats
-from usdmotion.constraints import Constraint
+from usdmotion.constraints import Constraint, relations
 from usdmotion.errors import SceneError
 from usdmotion.usd.attributes import read_fields
 from usdmotion.usd.characters import Sitting
 from usdmotion.usd.frames import in_metres
 from usdmotion.usd.goals import read_goal, space_skeleton
-from usdmotion.usd.relations import edit_of, is_a
+from usdmotion.usd.regions import read_region
+from usdmotion.usd.relations import edit_of, is_a, target
 from usdmotion.usd.shot import Facts
 
 
@@ -29,12 +31,22 @@ def goal_prims(constraint: Usd.Prim) -> Iterator[Usd.Prim]:
             yield prim
 
 
-def skeletons_of_goals(edit: Usd.Prim) -> dict[str, Usd.Prim]:
-    """Return the Skeletons in whose joints' frames an edit has goals or places, by their paths."""
+def other_skeletons(edit: Usd.Prim) -> dict[str, Usd.Prim]:
+    """Return the Skeletons whose joints an edit's goals, places or distances are relative to."""
     constraints = list(constraint_prims(edit))
     goals = [goal for constraint in constraints for goal in goal_prims(constraint)]
     skeletons = [space_skeleton(prim) for prim in (*constraints, *goals)]
+    skeletons += [other for constraint in constraints for other in _named(constraint)]
     return {str(each.GetPath()): each for each in skeletons if each is not None}
+
+
+def _named(constraint: Usd.Prim) -> Iterator[Usd.Prim]:
+    """Yield the Skeletons that a constraint of any kind names, but for its space."""
+    for relationship in constraint.GetRelationships():
+        name = relationship.GetName()
+        found = target(constraint, name)
+        if name != "usdmotion:space" and is_a(found, "UsdSkelSkeleton"):
+            yield found
 
 
 def read_constraints(
@@ -72,9 +84,24 @@ def read_constraints(
             skeleton=skeleton,
             goals=tuple(read_goal(goal, sittings, time_codes, facts) for goal in goal_prims(prim)),
             **read_fields(prim, kind, time_codes, facts),
+            **_related(prim, kind, time_codes, facts),
         )
         found.append(in_metres(constraint, prim, edit, sittings, time_codes, facts))
     return tuple(found)
+
+
+def _related(
+    prim: Usd.Prim, kind: type[Constraint], time_codes: Floats, facts: Facts
+) -> dict[str, Any]:
+    """Return the fields of a kind that its prim names another prim for."""
+    fields: dict[str, Any] = {}
+    for each in relations(kind):
+        other = target(prim, each.name)
+        if other is not None:
+            is_region = each.target == "region"
+            path = str(other.GetPath())
+            fields[each.field] = read_region(other, time_codes, facts) if is_region else path
+    return fields
 
 
 def _is_constraint(prim: Usd.Prim) -> bool:

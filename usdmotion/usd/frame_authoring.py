@@ -7,7 +7,7 @@ import numpy as np
 from pxr import Usd
 
 from usdmotion.arrays import Floats
-from usdmotion.constraints import Attribute, Constraint, Space, attributes
+from usdmotion.constraints import Attribute, Constraint, Space, attributes, relations
 from usdmotion.errors import SceneError
 from usdmotion.kernels import conjugate, rotate
 from usdmotion.usd.scaling import joint_units
@@ -67,6 +67,25 @@ def author_space(constraint: Constraint, prim: Usd.Prim) -> None:
     prim.GetAttribute("usdmotion:spaceJoint").Set(token)
 
 
+def author_relations(constraint: Constraint, prim: Usd.Prim) -> None:
+    """Name the prims that a constraint is about.
+
+    Raises:
+        SceneError: One has no path.
+    """
+    for each in relations(type(constraint)):
+        named = getattr(constraint, each.field)
+        if not named:
+            continue
+        path = named if isinstance(named, str) else named.path
+        if not path:
+            raise SceneError(
+                f"<{prim.GetPath()}> is to name a prim in {each.name} whose path nobody says; "
+                "author that prim and give its path"
+            )
+        prim.GetRelationship(each.name).SetTargets([path])
+
+
 def _is_world(space: Space) -> bool:
     here = np.array_equal(space.rotation, Space().rotation) and not np.any(space.translation)
     return space.joint is None and here
@@ -96,9 +115,10 @@ def _in_joints(
     facts: Facts,
 ) -> Floats:
     tokens = getattr(constraint, each.frame)
+    skeleton = getattr(constraint, each.skeleton) or constraint.skeleton
     one = isinstance(tokens, str)
     units = [
-        _still(joint_units(prim.GetStage(), constraint.skeleton, token, codes, facts), prim)
+        _still(joint_units(prim.GetStage(), skeleton, token, codes, facts), prim)
         for token in ([tokens] if one else tokens)
     ]
     factors = units[0] if one else np.array(units)

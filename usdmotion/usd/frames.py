@@ -39,7 +39,6 @@ def in_metres(
     Raises:
         SceneError: It names a joint that is not there, or a frame whose scale changes.
     """
-    sitting = sittings[constraint.skeleton]
     changed: dict[str, Any] = {}
     in_space = np.ones((1, 3))
     if hasattr(constraint, "space"):
@@ -54,6 +53,7 @@ def in_metres(
             axes = world_matrices(edit, time_codes)[:, :3, :3]
             changed[each.field] = collapse((np.atleast_2d(given)[:, None] @ axes)[:, 0])
         else:
+            sitting = sittings[getattr(constraint, each.skeleton) or constraint.skeleton]
             changed[each.field] = _in_joints(constraint, each, sitting, facts)
     return replace(constraint, **changed) if changed else constraint
 

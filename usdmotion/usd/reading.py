@@ -14,7 +14,7 @@ from usdmotion.usd.bindings import holder_of
 from usdmotion.usd.characters import Sitting, read_character
 from usdmotion.usd.clips import merged
 from usdmotion.usd.concerns import warnings
-from usdmotion.usd.constraints import read_constraints, skeletons_of_goals
+from usdmotion.usd.constraints import other_skeletons, read_constraints
 from usdmotion.usd.edits import (
     DEFAULT_SOLVER,
     Request,
@@ -72,8 +72,8 @@ def read(
 
 
 def couple(requests: Sequence[Request]) -> list[list[Request]]:
-    """Return requests in groups: together where one has a goal in a joint that another moves."""
-    spaces = {each.path: skeletons_of_goals(each.edit) for each in requests}
+    """Return requests in groups: together where one is relative to a joint that another moves."""
+    spaces = {each.path: other_skeletons(each.edit) for each in requests}
 
     def meet(one: Request, other: Request) -> bool:
         skeletons = (str(each.skeleton.GetPath()) for each in (one, other))
@@ -114,7 +114,7 @@ def _players(requests: Sequence[Request]) -> list[tuple[Usd.Prim, Usd.Prim | Non
         str(each.skeleton.GetPath()): (each.skeleton, each.source) for each in requests
     }
     for each in requests:
-        for path, skeleton in skeletons_of_goals(each.edit).items():
+        for path, skeleton in other_skeletons(each.edit).items():
             players.setdefault(path, (skeleton, bound_animation(skeleton)))
     return list(players.values())
 

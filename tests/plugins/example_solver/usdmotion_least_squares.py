@@ -16,6 +16,7 @@ from usdmotion.kernels import (
     conjugate,
     forward,
     from_vector,
+    is_slack,
     kernel,
     multiply,
     number_columns,
@@ -145,9 +146,10 @@ def _measure(
     tasks, block = reference(table), np.empty((3, rows.shape[1]))
     for task in range(table.kind.shape[0]):
         error = task_error(tasks, frame, task, positions, orientations)
+        slack = is_slack(tasks, task, error)
         for axis in range(3):
-            vectors[task, axis] = error[axis]
-        if table.activity[frame, task] == 0.0:
+            vectors[task, axis] = 0.0 if slack else error[axis]
+        if table.activity[frame, task] == 0.0 or slack:
             continue
         first = 3 * task
         wanted = (error[0] - kept[task, 0], error[1] - kept[task, 1], error[2] - kept[task, 2])

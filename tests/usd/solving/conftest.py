@@ -21,17 +21,25 @@ class Answer:
     """The layer that was written."""
     report: Report
 
-    def place(self, stage, joint, codes, skeleton="/Man/Bones"):
-        """Return where a joint is in the world at some time codes, in stage units."""
+    def matrices(self, stage, joint, codes, skeleton):
+        """Return the matrices of a joint in the world at some time codes."""
         bones = UsdSkel.Skeleton(stage.GetPrimAtPath(skeleton))
         query = UsdSkel.Cache().GetSkelQuery(bones)
         index = list(query.GetJointOrder()).index(joint)
         found = []
         for code in codes:
             world = UsdGeom.XformCache(code).GetLocalToWorldTransform(bones.GetPrim())
-            matrix = query.ComputeJointSkelTransforms(code)[index] * world
-            found.append(matrix.ExtractTranslation())
+            found.append(query.ComputeJointSkelTransforms(code)[index] * world)
         return np.array(found)
+
+    def place(self, stage, joint, codes, skeleton="/Man/Bones"):
+        """Return where a joint is in the world at some time codes, in stage units."""
+        return self.matrices(stage, joint, codes, skeleton)[:, 3, :3]
+
+    def turns(self, joint, codes, skeleton="/Man/Bones"):
+        """Return the axes of a joint of the answer as rows, of length one."""
+        axes = self.matrices(self.new, joint, codes, skeleton)[:, :3, :3]
+        return axes / np.linalg.norm(axes, axis=2, keepdims=True)
 
     def both(self, joint, codes, skeleton="/Man/Bones"):
         """Return where a joint was, and where it is."""
