@@ -18,8 +18,11 @@ GIVES_WAY = {
     "elbow_and_wrist": {"LeftWrist"},
     "karate": {"RightAnkle"},
     "karate_weighted": {"LeftHeel", "LeftBall", "LeftAnkle", "Balance", "RightAnkle"},
+    "ranks": {"Elbow"},
+    "recruiting": {"Wrist"},
     "stepping": {"LeftHeel", "LeftBall"},
     "stepping_weighted": {"LeftHeel", "LeftBall", "LeftAnkle"},
+    "strictness": {"Wrist", "Elbow", "Head"},
 }
 """Stages with a conflict, and the constraints that lose it."""
 

@@ -1,40 +1,18 @@
 """2004, section 6: priorities are ranks; and 2003, section 3.1: the recruiting rule."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from pxr import Sdf, Usd
 
-from usdmotion.constraints import Goal, PositionConstraint
+from usdmotion import demos
 from usdmotion.demos.gait import walk
-from usdmotion.demos.walker import SKELETON, feet, token, write_walk
-
-
-def conflict(walking, ranks):
-    """Return three constraints that cannot all be met, with their priorities."""
-    high, middle, low = ranks
-
-    def wants(name, joint, priority, outward):
-        goal = Goal(mode="offset", translation=np.array([outward, 0.1, 0.4]))
-        return PositionConstraint(
-            path=name,
-            skeleton=SKELETON,
-            joint=token(walking, joint),
-            priority=priority,
-            goals=(goal,),
-        )
-
-    return [
-        wants("Wrist", "LeftHand", middle, 0.5),
-        *feet(walking, priority=high),
-        wants("Elbow", "LeftForeArm", low, -0.3),
-    ]
+from usdmotion.demos.ranks import conflict
+from usdmotion.demos.walker import SKELETON, VARIANTS, write_walk
 
 
 def result(layer: Sdf.Layer) -> dict[str, bytes]:
     stage = Usd.Stage.Open(layer)
-    prim = stage.GetPrimAtPath(f"{SKELETON}/Edit_result")
+    prim = stage.GetPrimAtPath(f"{SKELETON}/Ranks_result")
     names = ("joints", "translations", "rotations", "scales")
     arrays = {}
     for name in names:
@@ -44,13 +22,25 @@ def result(layer: Sdf.Layer) -> dict[str, bytes]:
     return arrays
 
 
+def selecting(shot, variant):
+    """Write a stage over another one that selects a variant of its edit."""
+    over = shot.with_name(f"{variant}.usda")
+    layer = Sdf.Layer.FindOrOpen(str(shot))
+    new = Sdf.Layer.CreateNew(str(over))
+    new.TransferContent(layer)
+    new.GetPrimAtPath(f"{SKELETON}/Ranks").variantSelections[VARIANTS] = variant
+    new.Save()
+    return over
+
+
 def test_priorities_2_10_15_and_1_2_3_give_the_same_bytes(tmp_path, solve):
-    walking = walk(seconds=1.0)
-    answers = []
-    for name, ranks in (("far", (2, 10, 15)), ("near", (1, 2, 3))):
-        shot = tmp_path / f"{name}.usda"
-        write_walk(shot, walking, "Edit", conflict(walking, ranks))
-        answers.append(result(Sdf.Layer.FindOrOpen(str(solve(shot, SKELETON).edit_layer))))
+    shot = demos.build("ranks", tmp_path)
+    answers, asked = [], []
+    for variant in ("far_apart", "one_two_three"):
+        solved = solve(selecting(shot, variant), SKELETON)
+        answers.append(result(Sdf.Layer.FindOrOpen(str(solved.edit_layer))))
+        asked.append({each.priority for each in solved.report.edits[0].constraints})
+    assert asked == [{2, 10, 15}, {1, 2, 3}]
     assert answers[0] == answers[1]
 
 
@@ -78,31 +68,15 @@ def test_other_ranks_give_another_answer(tmp_path, solve):
 @pytest.fixture
 def breaking(tmp_path):
     """Write feet that may move the legs alone, under a wrist that moves the pelvis too."""
-    walking = walk(seconds=1.0)
-    legs = ("UpLeg", "Leg", "Foot")
-    planted = [
-        replace(each, recruits=tuple(token(walking, f"{each.path[:-4]}{part}") for part in legs))
-        for each in feet(walking, priority=1)
-        if each.path.endswith("Heel")
-    ]
-    wrist = PositionConstraint(
-        path="Wrist",
-        skeleton=SKELETON,
-        joint=token(walking, "LeftHand"),
-        priority=2,
-        goals=(Goal(mode="offset", translation=np.array([1.5, 0.0, 0.0])),),
-    )
-    shot = tmp_path / "breaking.usda"
-    write_walk(shot, walking, "Edit", [*planted, wrist])
-    return shot
+    return demos.build("recruiting", tmp_path)
 
 
 def test_a_stack_that_breaks_the_recruiting_rule_is_named_with_what_mends_it(breaking, solve):
     notes = [each for each in solve(breaking, SKELETON).report.notes if "recruit" in each]
     assert len(notes) == 2
     for side in ("Left", "Right"):
-        (note,) = (each for each in notes if f"{SKELETON}/Edit/{side}Heel" in each)
-        assert f"<{SKELETON}/Edit/Wrist>" in note
+        (note,) = (each for each in notes if f"{SKELETON}/Recruiting/{side}Heel" in each)
+        assert f"<{SKELETON}/Recruiting/Wrist>" in note
         assert "recruit Hips" in note
 
 

@@ -7,6 +7,7 @@ from usdmotion.errors import FileError
 
 NAMES = (
     "reaching",
+    "reaching_again",
     "goals",
     "sunshade",
     "against_the_wind",
@@ -16,6 +17,11 @@ NAMES = (
     "karate_weighted",
     "raised_arms",
     "elbow_and_wrist",
+    "strictness",
+    "ranks",
+    "recruiting",
+    "nothing_asked",
+    "activation",
 )
 """Every demo, in the order in which they explain themselves."""
 

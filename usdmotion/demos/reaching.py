@@ -4,8 +4,9 @@ from pathlib import Path
 
 import numpy as np
 
-from usdmotion.constraints import CenterOfMassConstraint, Goal, PositionConstraint
-from usdmotion.demos.gait import walk
+from usdmotion.arrays import Floats
+from usdmotion.constraints import CenterOfMassConstraint, Constraint, Goal, PositionConstraint
+from usdmotion.demos.gait import Walk, walk
 from usdmotion.demos.walker import SKELETON, feet, seconds, token, write_walk
 
 TARGET = np.array((0.65, 0.90, 4.25))
@@ -17,13 +18,12 @@ FRAMES = (56.0, 72.0, 80.0, 96.0)
 def build(output: Path) -> None:
     """Write the stage."""
     walking = walk()
-    wrist = PositionConstraint(
-        path="LeftWrist",
-        skeleton=SKELETON,
-        joint=token(walking, "LeftHand"),
-        priority=2,
-        goals=(Goal(path="Reach", translation=TARGET, times=tuple(map(seconds, FRAMES))),),
-    )
+    *planted, balance = held(walking)
+    write_walk(output, walking, "Reaching", [*planted, wrist(walking, TARGET), balance])
+
+
+def held(walking: Walk) -> list[Constraint]:
+    """Return the feet on their trajectories (1) and the balance over them (3)."""
     planted = feet(walking, priority=1)
     balance = CenterOfMassConstraint(
         path="Balance",
@@ -33,4 +33,15 @@ def build(output: Path) -> None:
         support_points=np.array([each.point for each in planted]),
         axes="xz",
     )
-    write_walk(output, walking, "Reaching", [*planted, wrist, balance])
+    return [*planted, balance]
+
+
+def wrist(walking: Walk, target: Floats) -> PositionConstraint:
+    """Return the left wrist at a point for a while (2)."""
+    return PositionConstraint(
+        path="LeftWrist",
+        skeleton=SKELETON,
+        joint=token(walking, "LeftHand"),
+        priority=2,
+        goals=(Goal(path="Reach", translation=target, times=tuple(map(seconds, FRAMES))),),
+    )

@@ -1,13 +1,14 @@
 """The character of the demos: a walk on a stage, and the constraints that hold its feet."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from usdmotion import usd
 from usdmotion.arrays import Floats
-from usdmotion.constraints import Constraint, PositionConstraint
+from usdmotion.constraints import Constraint, PositionConstraint, RegionConstraint
 from usdmotion.demos.body import solids
 from usdmotion.demos.gait import Walk
 
@@ -16,9 +17,17 @@ RATE = 24.0
 FIRST = 1.0
 """Time code of the first frame."""
 SKELETON = "/Walker/Skeleton"
+VARIANTS = "asked"
+"""Name of the variant set of an edit that asks for one thing or another."""
 
 
-def write_walk(output: Path, walk: Walk, edit: str, constraints: Sequence[Constraint]) -> None:
+def write_walk(
+    output: Path,
+    walk: Walk,
+    edit: str,
+    constraints: Sequence[Constraint],
+    variants: Mapping[str, Sequence[Constraint]] | None = None,
+) -> None:
     """Write a stage with the walker and one edit of it.
 
     Args:
@@ -26,7 +35,9 @@ def write_walk(output: Path, walk: Walk, edit: str, constraints: Sequence[Constr
         walk: Who walks, and how.
         edit: Name of the MotionEdit, under the Skeleton.
         constraints: What is asked; the last part of each path is the prim's name.
+        variants: What is asked besides in each variant of the edit; the first is selected.
     """
+    path = f"{SKELETON}/{edit}"
     codes = FIRST + np.round(walk.motion.times * RATE)
     ends = solids()
     with usd.new_stage(
@@ -43,10 +54,20 @@ def write_walk(output: Path, walk: Walk, edit: str, constraints: Sequence[Constr
             tip_joints=np.array([each.joint for each in ends]),
             tip_points=np.array([each.end for each in ends]),
         )
-        usd.author_edit(stage, f"{SKELETON}/{edit}")
-        for each in constraints:
-            name = each.path.rsplit("/", 1)[-1]
-            usd.author(stage, f"{SKELETON}/{edit}/{name}", each, time_codes=codes)
+        usd.author_edit(stage, path)
+        _author(stage, path, constraints, codes)
+        # The one that is made last stays selected.
+        for name, asked in reversed(list((variants or {}).items())):
+            with usd.variant(stage, path, VARIANTS, name):
+                _author(stage, path, asked, codes)
+
+
+def _author(stage: Any, path: str, constraints: Sequence[Constraint], codes: Floats) -> None:
+    """Author constraints under an edit, and the regions that they are about."""
+    for each in constraints:
+        if isinstance(each, RegionConstraint) and each.region is not None:
+            usd.author_region(stage, each.region, time_codes=codes)
+        usd.author(stage, f"{path}/{each.path.rsplit('/', 1)[-1]}", each, time_codes=codes)
 
 
 def token(walk: Walk, name: str) -> str:

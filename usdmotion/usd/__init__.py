@@ -17,7 +17,9 @@ from usdmotion.usd.inspection import Inspection, inspect
 from usdmotion.usd.new_stages import new_stage
 from usdmotion.usd.reading import read
 from usdmotion.usd.recordings import write_recording
+from usdmotion.usd.region_authoring import author_region
 from usdmotion.usd.shot import Result, Shot
+from usdmotion.usd.variants import variant
 from usdmotion.usd.writing import compose, write
 
 __all__ = [
@@ -27,10 +29,12 @@ __all__ = [
     "author",
     "author_character",
     "author_edit",
+    "author_region",
     "compose",
     "inspect",
     "new_stage",
     "read",
+    "variant",
     "write",
     "write_recording",
 ]

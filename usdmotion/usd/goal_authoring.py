@@ -35,7 +35,7 @@ def author_goal(prim: Usd.Prim, goal: Goal, time_codes: Floats, facts: Facts) ->
         units = joint_units(prim.GetStage(), skeleton, token, time_codes, facts)
         prim.GetRelationship("usdmotion:space").SetTargets([skeleton])
         prim.GetAttribute("usdmotion:spaceJoint").Set(token)
-        _transform(prim, goal.translation / units, goal.rotation, time_codes)
+        author_transform(prim, goal.translation / units, goal.rotation, time_codes)
         return
     xform = UsdGeom.Xformable(prim)
     matrices = parent_matrices(prim, time_codes)
@@ -46,10 +46,13 @@ def author_goal(prim: Usd.Prim, goal: Goal, time_codes: Floats, facts: Facts) ->
             f"<{prim.GetPath()}> is given in axes that are not the world's; author it under a "
             "prim that has them, or name one in usdmotion:space"
         )
-    _transform(prim, goal.translation / facts.meters_per_unit, goal.rotation, time_codes)
+    author_transform(prim, goal.translation / facts.meters_per_unit, goal.rotation, time_codes)
 
 
-def _transform(prim: Usd.Prim, translation: Floats, rotation: Floats, time_codes: Floats) -> None:
+def author_transform(
+    prim: Usd.Prim, translation: Floats, rotation: Floats, time_codes: Floats
+) -> None:
+    """Give a prim a translation in stage units and a rotation, on each frame where it moves."""
     xform = UsdGeom.Xformable(prim)
     reset = xform.GetResetXformStack()
     xform.ClearXformOpOrder()
