@@ -21,7 +21,6 @@ from usdmotion.constraints import (
     PositionConstraint,
     Region,
     RegionConstraint,
-    Space,
     TrajectoryConstraint,
 )
 from usdmotion.demos.gait import Walk, walk
@@ -35,8 +34,8 @@ STACK = "stack"
 """Name of the variant with all of them."""
 BALL = 0.3
 """Radius of the ball that goes along at the walker's right [m]."""
-RAIL = np.array((-0.28, 0.1, 0.34))
-"""Where the right hand holds on, in the frame of the hips [m]."""
+GRIP = (49.0, 61.0, 65.0, 77.0)
+"""The hand cannot hold on for longer, as the walker goes on."""
 
 
 class _Shared(TypedDict):
@@ -75,14 +74,13 @@ def _with_goals(walking: Walk) -> dict[str, Constraint]:
 
 
 def _without_goals(walking: Walk) -> dict[str, Constraint]:
-    hips, head = (_trajectory(walking, name) for name in ("Hips", "Head"))
+    hips, head, hand = (_trajectory(walking, name) for name in ("Hips", "Head", "RightHand"))
     ball = Region(
         path=f"{SKELETON}/{EDIT}/Ball",
         margin=BALL,
         translation=hips + np.array((-0.45, -0.1, 0.05)),
     )
     below = head[66] + np.array((0.05, -0.1, 0.05))
-    rail = Space(joint=(SKELETON, token(walking, "Hips")))
     return {
         "distance": DistanceConstraint(
             **_held(walking, "Hands", "LeftHand"),
@@ -97,18 +95,18 @@ def _without_goals(walking: Walk) -> dict[str, Constraint]:
             **_held(walking, "Duck", "Head"), keys=(seconds(67),), points=below[None]
         ),
         "contact": ContactConstraint(
-            **_held(walking, "Rail", "RightHand"), kind="point", location=RAIL, space=rail
+            **_held(walking, "Rail", "RightHand", GRIP), kind="point", location=hand[62]
         ),
     }
 
 
-def _held(walking: Walk, path: str, joint: str) -> _Shared:
+def _held(walking: Walk, path: str, joint: str, frames: tuple[float, ...] = FRAMES) -> _Shared:
     """Return what every kind is given, the key times of its activity among it."""
     return {
         "path": path,
         "skeleton": SKELETON,
         "joint": token(walking, joint) if joint else "",
-        "times": tuple(map(seconds, FRAMES)),
+        "times": tuple(map(seconds, frames)),
     }
 
 

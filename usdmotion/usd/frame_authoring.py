@@ -63,8 +63,14 @@ def author_space(constraint: Constraint, prim: Usd.Prim) -> None:
             "a prim that has it, or name one in usdmotion:space"
         )
     skeleton, token = space.joint
+    attribute = prim.GetAttribute("usdmotion:spaceJoint")
+    if not attribute:
+        raise SceneError(
+            f"<{prim.GetPath()}> gives places in the frame of a joint, which a "
+            f"{prim.GetTypeName()} cannot; name a prim in usdmotion:space"
+        )
     prim.GetRelationship("usdmotion:space").SetTargets([skeleton])
-    prim.GetAttribute("usdmotion:spaceJoint").Set(token)
+    attribute.Set(token)
 
 
 def author_relations(constraint: Constraint, prim: Usd.Prim) -> None:
