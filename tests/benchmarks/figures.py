@@ -18,18 +18,13 @@ for _library in ("OPENBLAS", "MKL", "OMP"):
 
 import numpy as np  # noqa: E402
 from pxr import Sdf, Usd, Vt  # noqa: E402
+from reaching import OUT_OF_REACH, four_levels, reaching, twelve_points, unlimited  # noqa: E402
 from rich.console import Console  # noqa: E402
 from rich.table import Table  # noqa: E402
 
-from usdmotion import Character, Edit, Motion, Placement, Problem, Scene, usd  # noqa: E402
-from usdmotion.constraints import (  # noqa: E402
-    CenterOfMassConstraint,
-    Constraint,
-    Goal,
-    PositionConstraint,
-)
+from usdmotion import Motion, Problem, usd  # noqa: E402
 from usdmotion.demos.gait import Walk, walk  # noqa: E402
-from usdmotion.demos.walker import FIRST, RATE, SKELETON, feet, token  # noqa: E402
+from usdmotion.demos.walker import FIRST, RATE, SKELETON  # noqa: E402
 from usdmotion.options import configured  # noqa: E402
 from usdmotion.plugins import host  # noqa: E402
 
@@ -70,68 +65,58 @@ def products() -> float:
     return least(lambda: [a @ b for _ in range(40)])
 
 
-def reaching(walking: Walk, outward: float) -> Problem:
-    """Return feet (12 rows), a wrist (3) and the centre of mass (3) over all joints."""
-    last = float(walking.motion.times[-1])
-    middle = tuple(last * share for share in (0.4, 0.5, 0.55, 0.65))
-    goal = Goal(mode="offset", translation=np.array([outward, 0.1, 0.1]), times=middle)
-    planted = feet(walking, priority=1)
-    constraints: list[Constraint] = [
-        *planted,
-        PositionConstraint(
-            path="Wrist",
-            skeleton=SKELETON,
-            joint=token(walking, "LeftHand"),
-            priority=2,
-            goals=(goal,),
-        ),
-        CenterOfMassConstraint(
-            path="Balance",
-            skeleton=SKELETON,
-            priority=3,
-            supports=tuple(each.joint for each in planted),
-        ),
-    ]
-    frames = walking.motion.frame_count
-    character = Character(
-        SKELETON, walking.skeleton, walking.body, walking.motion, Placement.identity(frames), 0
-    )
-    edit = Edit(f"{SKELETON}/Edit", SKELETON, tuple(constraints))
-    return Problem.of(Scene((character,), (edit,), np.arange(frames), np.array([0.0, 1.0, 0.0])))
-
-
 def solving(small: bool) -> list[Figure]:
     """Return the figures of the solver, on one core."""
-    kind = host().solver("prioritized_ik")
-    solver, restless = kind(), configured(kind, {"posture_change": 0.0, "finish": 0})
+    solver = host().solver("prioritized_ik")()
     walking = walk(1.0 if small else 6.0)
-    seconds = float(walking.motion.times[-1])
-    near, far = reaching(walking, 0.15), reaching(walking, 1.2)
-    spent = int(restless.solve(near).iterations.sum())
-    iteration = least(lambda: restless.solve(near)) / spent
-    clip, conflict = (least(lambda each=each: solver.solve(each)) for each in (near, far))
-    long = walk(10.0 if small else 360.0)
-    hour = reaching(long, 0.15)
-    frames = f"{long.motion.frame_count} frames of {long.motion.times[-1]:g} s"
-    matrices = "40 products of 400 × 400 matrices"
+    seconds, frames = float(walking.motion.times[-1]), walking.motion.frame_count
+    near, far = reaching(walking), reaching(walking, OUT_OF_REACH)
     return [
-        Figure("one iteration, 69 × 18", iteration, matrices, products(), AIM_OF_AN_ITERATION),
-        Figure("reaching, the clip", clip, "the clip's own length", seconds, 1 / 600),
+        *iterations(unlimited(walking)),
+        Figure(
+            f"reaching, {frames} frames",
+            least(lambda: solver.solve(near)),
+            "the clip's own length",
+            seconds,
+            1 / 600,
+        ),
         Figure(
             "the same, out of reach",
-            conflict,
+            least(lambda: solver.solve(far)),
             "0.2 ms a frame",
-            2e-4 * walking.motion.frame_count,
+            2e-4 * frames,
             1.0,
         ),
-        Figure(
-            f"reaching, {frames}",
-            least(lambda: solver.solve(hour), 1),
-            "its own length",
-            float(long.motion.times[-1]),
-            10 / 3600,
-        ),
+        hour(10.0 if small else 3600.0),
     ]
+
+
+def iterations(walking: Walk) -> list[Figure]:
+    """Return what one iteration takes, of frames that are left at the limit of iterations only."""
+    kind = host().solver("prioritized_ik")
+    restless = configured(kind, {"posture_change": 0.0, "finish": 0})
+    yardstick = products()
+
+    def figure(what: str, problem: Problem, aim: float) -> Figure:
+        spent = int(restless.solve(problem).iterations.sum())
+        once = least(lambda: restless.solve(problem)) / spent
+        matrices = "40 products of 400 × 400 matrices"
+        return Figure(f"one iteration, {what}, 4 levels", once, matrices, yardstick, aim)
+
+    return [
+        figure("72 × 18", four_levels(walking), AIM_OF_AN_ITERATION),
+        figure("72 × 36", twelve_points(walking), 2.0 * AIM_OF_AN_ITERATION),
+    ]
+
+
+def hour(seconds: float) -> Figure:
+    """Return what so long a walk takes."""
+    walking = walk(seconds)
+    problem, solver = reaching(walking), host().solver("prioritized_ik")()
+    what = f"reaching, {walking.motion.frame_count} frames of {seconds:g} s"
+    return Figure(
+        what, least(lambda: solver.solve(problem), 1), "its own length", seconds, 10 / 3600
+    )
 
 
 def bare_write(path: Path, joints: list[str], codes: list[float], arrays: list[np.ndarray]) -> None:
