@@ -65,7 +65,7 @@ def _with_goals(walking: Walk) -> dict[str, Constraint]:
     lift = Goal(path="Lift", mode="offset", translation=np.array((0.1, 0.2, 0.1)))
     turn = from_vector(np.array((0.5, 0.0, 0.0)))
     nod = Goal(path="Turn", mode="offset", rotation=turn)
-    lamp = Goal(path="Lamp", translation=np.array((1.5, 1.9, 5.0)))
+    lamp = Goal(path="Lamp", translation=np.array((2.5, 1.9, 9.0)))
     return {
         "position": PositionConstraint(**_held(walking, "Wrist", "LeftHand"), goals=(lift,)),
         "orientation": OrientationConstraint(**_held(walking, "Nod", "Neck"), goals=(nod,)),
@@ -74,12 +74,13 @@ def _with_goals(walking: Walk) -> dict[str, Constraint]:
 
 
 def _without_goals(walking: Walk) -> dict[str, Constraint]:
-    hips, head, hand = (_trajectory(walking, name) for name in ("Hips", "Head", "RightHand"))
+    hips, head = (_trajectory(walking, name) for name in ("Hips", "Head"))
     ball = Region(
         path=f"{SKELETON}/{EDIT}/Ball",
         margin=BALL,
         translation=hips + np.array((-0.45, -0.1, 0.05)),
     )
+    grip = hips[62] + np.array((-0.15, 0.25, 0.25))
     below = head[66] + np.array((0.05, -0.1, 0.05))
     return {
         "distance": DistanceConstraint(
@@ -95,7 +96,7 @@ def _without_goals(walking: Walk) -> dict[str, Constraint]:
             **_held(walking, "Duck", "Head"), keys=(seconds(67),), points=below[None]
         ),
         "contact": ContactConstraint(
-            **_held(walking, "Rail", "RightHand", GRIP), kind="point", location=hand[62]
+            **_held(walking, "Rail", "RightHand", GRIP), kind="point", location=grip
         ),
     }
 
