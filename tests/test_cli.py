@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 import typer
 
-from usdmotion import cli, pipeline
+from usdmotion import cli, solved
 from usdmotion.plugins import host
 
 ArmShot = Callable[..., Path]
@@ -192,8 +192,8 @@ def test_a_bug_ends_with_one_and_its_traceback(arm_shot: ArmShot) -> None:
 def test_solve_tells_who_breaks_the_recruiting_rule(
     run: Run, arm_shot: ArmShot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(pipeline, "broken", lambda scene: ["it"])
-    monkeypatch.setattr(pipeline, "sentence", lambda violation: f"{violation} breaks the rule")
+    monkeypatch.setattr(solved, "broken", lambda scene: ["it"])
+    monkeypatch.setattr(solved, "sentence", lambda violation: f"{violation} breaks the rule")
     assert "note: it breaks the rule" in run("solve", arm_shot()).err
 
 

@@ -12,9 +12,9 @@ import usdmotion.testing
 NAMES = """
 AimTask Axes Body Bools Cast Character Constraint Demand DistanceTask Edit FileError Floats Goal
 InputError Ints Joint Motion OptionError OrientationConstraint Placement PluginError PointTask
-PositionConstraint Problem Reader Recording RotationTask Scene SceneError Skeleton Solution Solver
-Term TurnGoal UsdMotionError attribute composite_point composite_turn configured ease hookimpl host
-import_motion inspect option relation solve
+PositionConstraint Problem Reader Recording RotationTask Scene SceneError Session Skeleton Solution
+Solver Term TurnGoal UsdMotionError attribute composite_point composite_turn configured ease
+hookimpl host import_motion inspect option relation solve
 """.split()
 
 

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from usdmotion.plugins import host
     from usdmotion.recording import Reader, Recording
     from usdmotion.scene import Edit, Scene
+    from usdmotion.session import Session
     from usdmotion.solving import Problem, Solution, Solver
     from usdmotion.tasks import (
         AimTask,
@@ -77,6 +78,7 @@ __all__ = [
     "RotationTask",
     "Scene",
     "SceneError",
+    "Session",
     "Skeleton",
     "Solution",
     "Solver",
@@ -112,6 +114,7 @@ _ROOMS = (
     "solving",
     "hookspecs",
     "plugins",
+    "session",
     "pipeline",
 )
 """Where the names are at home, the lowest room first: a name imports no room above its own."""

@@ -3,9 +3,6 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-import numpy as np
-
-from usdmotion.arrays import Bools
 from usdmotion.cast import Cast, Character
 from usdmotion.recruiting import Claim, Parents, Violation, mend, violations
 from usdmotion.scene import Edit, Scene
@@ -55,20 +52,17 @@ def _parents(character: Character) -> Parents:
 
 def _claims(scene: Scene, character: Character) -> list[Claim]:
     """Return what each constraint moves and depends on among the joints of one character."""
-    cast = scene.cast
+    # One frame tells which joints there are, however long the clip is.
+    cast = Cast.of([each.during(slice(0, 1)) for each in scene.characters])
     return [
         Claim(
             name=constraint.path,
             priority=constraint.priority,
-            effectors=_tokens(cast, character, demand.moves),
-            recruits=_tokens(cast, character, _nodes(demand.recruits)),
+            effectors=_tokens(cast, character, constraint.movable(cast)),
+            recruits=_tokens(cast, character, constraint.recruited(cast)),
         )
-        for constraint, demand in zip(scene.constraints, scene.demands, strict=True)
+        for constraint in scene.constraints
     ]
-
-
-def _nodes(mask: Bools) -> Iterable[int]:
-    return [int(node) for node in np.flatnonzero(mask)]
 
 
 def _tokens(cast: Cast, character: Character, nodes: Iterable[int]) -> frozenset[str]:
@@ -78,7 +72,7 @@ def _tokens(cast: Cast, character: Character, nodes: Iterable[int]) -> frozenset
 
 def _recruiting(edit: Edit, recruits: dict[str, tuple[str, ...]]) -> Edit:
     constraints = tuple(
-        replace(constraint, recruits=recruits.get(constraint.path, constraint.recruits))
-        for constraint in edit.constraints
+        replace(each, recruits=recruits[each.path]) if each.path in recruits else each
+        for each in edit.constraints
     )
     return replace(edit, constraints=constraints)

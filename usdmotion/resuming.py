@@ -16,8 +16,10 @@ anyway, and falls again.
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from usdmotion.arrays import Floats, Ints
 from usdmotion.changes import hull
@@ -49,7 +51,7 @@ def pose(scene: Scene, frames: slice) -> Problem:
     return part.during(slice(frames.start - seen.start, frames.stop - seen.start))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Kept:
     """A solution that can be written to."""
 
@@ -78,13 +80,34 @@ class Kept:
         poses = self.translations[frames], self.rotations[frames]
         return Solution(*poses, self.iterations[frames], self.stops[frames], carried)
 
-    def write(self, first: int, solution: Solution) -> None:
+    def write(self, first: int, solution: Solution, journal: "Journal") -> None:
         """Replace the frames from the first one on."""
         frames = slice(first, first + len(solution.stops))
         for name in _COLUMNS:
-            getattr(self, name)[frames] = getattr(solution, name)
-        if self.carried is not None:
-            self.carried[frames] = solution.carried
+            journal.write(getattr(self, name), frames, getattr(solution, name))
+        if solution.carried is None:
+            return
+        shape = solution.carried.shape[1:]
+        if self.carried is None or self.carried.shape[1:] != shape:
+            self.carried = np.zeros((self.frame_count, *shape))
+        journal.write(self.carried, frames, solution.carried)
+
+
+class Journal:
+    """Writes into arrays so that it can be taken back."""
+
+    def __init__(self) -> None:
+        self._before: list[tuple[NDArray[Any], slice, NDArray[Any]]] = []
+
+    def write(self, array: NDArray[Any], frames: slice, values: NDArray[Any]) -> None:
+        """Replace some frames of an array."""
+        self._before.append((array, frames, np.array(array[frames])))
+        array[frames] = values
+
+    def take_back(self) -> None:
+        """Make every array what it was."""
+        for array, frames, values in reversed(self._before):
+            array[frames] = values
 
 
 def solve_again(solver: Solver, pose: Pose, kept: Kept, frames: slice) -> list[Solution]:

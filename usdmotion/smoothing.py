@@ -1,6 +1,7 @@
 """Enforce, filter, enforce again (2004, section 5.2): what a solve has changed becomes smooth."""
 
-from dataclasses import replace
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -25,17 +26,53 @@ def enforced(solver: Solver, problem: Problem, *, cutoff: float, passes: int) ->
         cutoff: Of the filter between two passes [Hz]; 0 is no filter, and then one pass is enough.
         passes: How often to enforce; a filter needs two.
     """
-    solution = solver.solve(problem)
-    if cutoff <= 0.0:
-        return solution
+    *before, last = (each.solution for each in passed(solver, problem, cutoff, passes))
+    spent = sum((each.iterations for each in before), last.iterations)
+    return replace(last, iterations=spent)
+
+
+@dataclass(frozen=True, eq=False)
+class Pass:
+    """One of several solves."""
+
+    given: Motion
+    """Where it started from: the input motion, with what was filtered of the displacement."""
+    solution: Solution
+    """What it found."""
+
+
+def passed(solver: Solver, problem: Problem, cutoff: float, passes: int) -> Iterator[Pass]:
+    """Yield each pass of `enforced` as it is done."""
     given = Motion(problem.cast.times, problem.cast.translations, problem.cast.rotations)
-    for _ in range(max(passes, 2) - 1):
+    solution = solver.solve(problem)
+    yield Pass(given, solution)
+    for _ in range(max(passes, 2) - 1 if cutoff > 0.0 else 0):
         found = Motion(given.times, solution.translations, solution.rotations)
         start = smoothed(given, found, cutoff)
         cast = replace(problem.cast, translations=start.translations, rotations=start.rotations)
-        again = solver.solve(replace(problem, cast=cast))
-        solution = replace(again, iterations=solution.iterations + again.iterations)
-    return solution
+        solution = solver.solve(replace(problem, cast=cast))
+        yield Pass(start, solution)
+
+
+def reach(times: Floats, cutoff: float) -> int:
+    """Return how many frames on either side of a frame decide on what the filter makes of it.
+
+    It is all of them where the frames are not even, because then the grid depends on them all.
+    """
+    steps = np.diff(times)
+    if len(times) < 3 or np.ptp(steps) > 1e-6 * steps.min():
+        return len(times)
+    rate = 1.0 / float(steps.mean())
+    return 0 if cutoff >= 0.5 * rate else _half_width(rate, cutoff) + 1
+
+
+def winds(before: Motion, after: Motion) -> bool:
+    """Tell whether a displacement ever turns by more than half a turn.
+
+    Then what a frame's rotation vector is depends on every frame before it.
+    """
+    turned = _continuous(to_vector(multiply(conjugate(before.rotations), after.rotations)))
+    return bool(np.linalg.norm(turned, axis=-1).max(initial=0.0) > np.pi)
 
 
 def smoothed(before: Motion, after: Motion, cutoff: float) -> Motion:
@@ -84,12 +121,16 @@ def low_pass(times: Floats, values: Floats, cutoff: float) -> Floats:
     rate = (count - 1) / (times[-1] - times[0])
     if cutoff >= 0.5 * rate:
         return values
-    reach = int(np.ceil(_TRANSITION * rate / cutoff))
+    reach = _half_width(rate, cutoff)
     window = firwin(2 * reach + 1, cutoff, fs=rate, window="hamming")
     flat = values.reshape(len(times), -1)
     grid = _interpolated(even, times, flat)
     filtered = convolve1d(grid, window, axis=0, mode="nearest")
     return np.asarray(_interpolated(times, even, filtered).reshape(values.shape))
+
+
+def _half_width(rate: float, cutoff: float) -> int:
+    return int(np.ceil(_TRANSITION * rate / cutoff))
 
 
 def _interpolated(wanted: Floats, times: Floats, values: Floats) -> Floats:

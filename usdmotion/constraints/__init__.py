@@ -9,6 +9,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from usdmotion.constraints.aim import AimConstraint
+from usdmotion.constraints.altering import altered, sound
 from usdmotion.constraints.attributes import (
     Attribute,
     Relation,
@@ -44,12 +45,14 @@ __all__ = [
     "Relation",
     "Space",
     "TrajectoryConstraint",
+    "altered",
     "attribute",
     "attributes",
     "built_in",
     "during",
     "relation",
     "relations",
+    "sound",
 ]
 
 

@@ -1,0 +1,268 @@
+"""A session: a shot that was read and solved, and is solved again while it is being edited."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from usdmotion import kernels
+from usdmotion.arrays import Floats
+from usdmotion.constraints import Constraint, altered, sound
+from usdmotion.errors import FileError, SceneError
+from usdmotion.kernels.compiling import cache_folder
+from usdmotion.motion import Motion
+from usdmotion.options import configured
+from usdmotion.options import options as options_of
+from usdmotion.plugins import host
+from usdmotion.report import Report
+from usdmotion.scene import Edit, Scene
+from usdmotion.solved import SolvedScene
+from usdmotion.solving import Solver
+
+if TYPE_CHECKING:
+    from usdmotion.usd import Result, Shot
+
+Say = Callable[[str], None]
+"""Is told what is being done now, in a few words."""
+
+
+@dataclass(frozen=True, eq=False)
+class Change:
+    """What a change has done to the answer."""
+
+    skeletons: tuple[str, ...]
+    """Paths of the Skeletons that may have other poses."""
+    frames: slice
+    """The frames on which they may, a start and a stop; the same where nothing has changed."""
+    time_codes: Floats
+    """Time codes of these frames, shape (count,)."""
+
+
+class Session:
+    """A shot that is open: what is asked of it, and the answer, which follows every change.
+
+    Every change solves again what it reaches and no more. One that is refused by an error leaves
+    everything as it was; one is undone by setting the constraint that was there before.
+    """
+
+    def __init__(self, shot: Shot, scenes: Sequence[SolvedScene]) -> None:
+        """Take over what was read and solved; `Session.open` is what reads and solves.
+
+        Args:
+            shot: What was read.
+            scenes: Its scenes.
+        """
+        self._shot = shot
+        self._scenes = tuple(scenes)
+
+    @classmethod
+    def open(
+        cls,
+        shot: Path,
+        *,
+        edits: Sequence[str] = (),
+        solver: str | None = None,
+        options: Mapping[str, object] | None = None,
+        frames: tuple[float, float] | None = None,
+        mend_recruiting: bool = False,
+        say: Say = lambda _: None,
+    ) -> Session:
+        """Read a stage and solve its edits.
+
+        Args:
+            shot: The stage; it is read once, and what is written to it later is not seen.
+            edits: Paths of the edits to solve; none solves all.
+            solver: Name of the solver; None takes what each edit says.
+            options: Options of the solver, on top of those that an edit carries for it.
+            frames: First and last time code to solve; None takes what each edit says.
+            mend_recruiting: Let constraints recruit what the recruiting rule asks of them.
+            say: Is told what is being done.
+
+        Raises:
+            InputError: The stage, an edit or an option is at fault.
+            PluginError: The solver does not keep its contract.
+        """
+        from usdmotion import usd
+
+        if not shot.is_file():
+            raise FileError(f"{shot}: there is no such file")
+        say(f"reading {shot}")
+        read = usd.read(shot, edits=edits, frames=frames, kinds=host().constraints)
+        scenes = []
+        for scene in read.scenes:
+            chosen = _configured(scene.edits, solver, options or {})
+            slow = not _is_compiled(chosen)
+            say("compiling the solver, once: up to 10 s" if slow else f"solving {_names(scene)}")
+            scenes.append(SolvedScene(scene, chosen, mend_recruiting=mend_recruiting))
+        return cls(read, scenes)
+
+    @property
+    def constraints(self) -> tuple[Constraint, ...]:
+        """What is asked, in the order of the stage."""
+        return tuple(each for solved in self._scenes for each in solved.scene.constraints)
+
+    def constraint(self, path: str) -> Constraint:
+        """Return a constraint by the path of its prim, or of one of its goals.
+
+        Raises:
+            SceneError: There is none.
+        """
+        for each in self.constraints:
+            if path == each.path or any(path == goal.path for goal in each.goals):
+                return each
+        paths = ", ".join(f"<{each.path}>" for each in self.constraints)
+        raise SceneError(f"<{path}> is no constraint or goal of this session; it has {paths}")
+
+    def change(self, path: str, **fields: object) -> Change:
+        """Give a constraint or a goal other values.
+
+        Args:
+            path: Path of its prim.
+            fields: Values by the names of the fields of its kind, in metres and seconds.
+
+        Raises:
+            SceneError: There is no such prim or field, or it cannot have such a value.
+        """
+        constraint = self.constraint(path)
+        count = len(self._holding(constraint.path).scene.times)
+        if path == constraint.path:
+            return self._replace(path, altered(constraint, count, **fields))
+        goals = tuple(
+            altered(goal, count, **fields) if goal.path == path else goal
+            for goal in constraint.goals
+        )
+        return self._replace(constraint.path, replace(constraint, goals=goals))
+
+    def set(self, constraint: Constraint) -> Change:
+        """Put a constraint in the place of that with its path, or add it to the edit above it.
+
+        Raises:
+            SceneError: It is under no edit of this session, or asks for what cannot be.
+        """
+        count = len(self._holding(constraint.path).scene.times)
+        return self._replace(constraint.path, sound(constraint, count))
+
+    def remove(self, path: str) -> Change:
+        """Take a constraint away.
+
+        Raises:
+            SceneError: There is none with this path.
+        """
+        return self._replace(self.constraint(path).path, None)
+
+    def motion(self, skeleton: str, frames: slice = slice(None)) -> Motion:
+        """Return the motion of a skeleton's joints as it is solved, on some of the frames.
+
+        Raises:
+            SceneError: No edit of this session solves it.
+        """
+        solved = next((each for each in self._scenes if skeleton in _skeletons(each.scene)), None)
+        if solved is None:
+            known = ", ".join(
+                f"<{path}>" for each in self._scenes for path in _skeletons(each.scene)
+            )
+            raise SceneError(f"<{skeleton}> is not solved in this session; it has {known}")
+        return solved.motion(skeleton, frames)
+
+    def report(self) -> Report:
+        """Return what is left of every constraint, measured from the answer as it is now."""
+        told = [solved.report() for solved in self._scenes]
+        return Report(
+            tuple(edit for each in told for edit in each.edits),
+            (*self._shot.warnings, *(note for each in told for note in each.notes)),
+        )
+
+    def write(self, output: Path, *, compose: Path | None = None) -> None:
+        """Write the layer that puts the answer over the shot.
+
+        It is the one that `pipeline.solve` writes of a stage on which the constraints are as they
+        are here. It does not hold them: `usd.author` does that.
+
+        Args:
+            output: The layer to write.
+            compose: Where to write a stage that shows the answer over the shot; None writes none.
+
+        Raises:
+            FileError: It cannot be written there, or is a layer that was read.
+        """
+        from usdmotion import usd
+
+        shot = replace(self._shot, scenes=tuple(each.scene for each in self._scenes))
+        usd.write(shot, [each for solved in self._scenes for each in _results(solved)], output)
+        if compose is not None:
+            usd.compose(shot, output, compose)
+
+    def _replace(self, path: str, constraint: Constraint | None) -> Change:
+        """Solve with another constraint of a path, with one more, or with one less."""
+        solved = self._holding(path)
+        scene = _with(solved.scene, path, constraint)
+        frames = solved.become(scene)
+        return Change(_skeletons(scene), frames, scene.time_codes[frames])
+
+    def _holding(self, path: str) -> SolvedScene:
+        """Return the scene with the edit above a path."""
+        for solved in self._scenes:
+            if any(path.startswith(f"{edit.path}/") for edit in solved.scene.edits):
+                return solved
+        paths = ", ".join(f"<{each.path}>" for one in self._scenes for each in one.scene.edits)
+        raise SceneError(f"<{path}> is under no edit of this session; it has {paths}")
+
+
+def _with(scene: Scene, path: str, constraint: Constraint | None) -> Scene:
+    """Return a scene in which a constraint takes the place of that with its path, if any."""
+
+    def changed(edit: Edit) -> Edit:
+        before = edit.constraints
+        there = any(each.path == path for each in before)
+        if not there and (constraint is None or not path.startswith(f"{edit.path}/")):
+            return edit
+        after = (constraint if each.path == path else each for each in before)
+        added = () if there else (constraint,)
+        return replace(
+            edit, constraints=tuple(each for each in (*after, *added) if each is not None)
+        )
+
+    return replace(scene, edits=tuple(map(changed, scene.edits)))
+
+
+def _skeletons(scene: Scene) -> tuple[str, ...]:
+    return tuple(edit.skeleton for edit in scene.edits)
+
+
+def _names(scene: Scene) -> str:
+    return ", ".join(edit.path for edit in scene.edits)
+
+
+def _results(solved: SolvedScene) -> Iterable[Result]:
+    """Yield what was made of each edit of a scene."""
+    from usdmotion.usd import Result
+
+    chosen = solved.solver
+    settings = {each.name: getattr(chosen, each.name) for each in options_of(type(chosen))}
+    for edit in solved.scene.edits:
+        yield Result(edit.path, solved.motion(edit.skeleton), chosen.name, settings)
+
+
+def _configured(edits: Sequence[Edit], solver: str | None, options: Mapping[str, object]) -> Solver:
+    """Return the one solver of a scene with its options."""
+    name = solver or edits[0].solver
+    # What an edit carries are options of the solver that it names, and of no other.
+    carried = {edit.path: dict(edit.options) if edit.solver == name else {} for edit in edits}
+    first = edits[0]
+    for edit in edits:
+        if (solver is None and edit.solver != name) or carried[edit.path] != carried[first.path]:
+            raise SceneError(
+                f"<{first.path}> and <{edit.path}> are solved together but ask for different "
+                "solvers or options; make them equal, or name one of them with --edit"
+            )
+    return configured(host().solver(name), carried[first.path] | dict(options))
+
+
+def _is_compiled(solver: Solver) -> bool:
+    """Tell whether compiled code of a solver's kernels is on disk."""
+    module = sys.modules[type(solver).__module__]
+    folders = [Path(str(each.__file__)).parent for each in (kernels, module)]
+    return any(cache_folder(*folders).rglob("*.nbi"))

@@ -1,0 +1,146 @@
+"""A scene with its solution, which goes along with every change of its constraints."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from usdmotion.changes import changed, same_levels
+from usdmotion.constraints import Constraint
+from usdmotion.mending import broken, mended, sentence
+from usdmotion.motion import Motion
+from usdmotion.passes import Passes
+from usdmotion.report import EditReport, Report, judge
+from usdmotion.resuming import Kept
+from usdmotion.scene import Edit, Scene
+from usdmotion.solving import STOPS, Problem, Solution, Solver, resumes
+
+
+class SolvedScene:
+    """A scene that is solved, and solved again where its constraints change.
+
+    What a change costs grows with the frames that it reaches and not with the clip, if the solver
+    resumes; else all frames are solved again.
+
+    Attributes:
+        scene: What is asked.
+        posed: What is solved: the same, with recruiting mended where that was wished.
+        solver: What solves it.
+    """
+
+    def __init__(self, scene: Scene, solver: Solver, *, mend_recruiting: bool = False) -> None:
+        """Solve a scene.
+
+        Args:
+            scene: What is asked.
+            solver: With its options.
+            mend_recruiting: Let constraints recruit what the recruiting rule asks of them.
+
+        Raises:
+            SceneError: The scene is at fault.
+            PluginError: The solver does not keep its contract.
+        """
+        self.scene = scene
+        self.posed = mended(scene) if mend_recruiting else scene
+        self.solver = solver
+        self._mend = mend_recruiting
+        self._passes = Passes(self.posed, solver)
+        self._before = 0.0
+
+    @property
+    def seconds(self) -> float:
+        """How long the solver has taken, all changes together."""
+        return self._before + self._passes.seconds
+
+    @property
+    def solution(self) -> Solution:
+        """A copy of the solution of all frames; iterations are those of all passes together."""
+        return self._passes.solution
+
+    def motion(self, skeleton: str, frames: slice = slice(None)) -> Motion:
+        """Return the motion of one skeleton's joints as they are solved, on some of the frames."""
+        first = 1
+        for each in self.scene.characters:
+            if each.path == skeleton:
+                break
+            first += 1 + len(each.skeleton.joints)
+        joints = slice(first, first + len(self.scene.character(skeleton).skeleton.joints))
+        kept = self._passes.last
+        poses = kept.translations[frames, joints], kept.rotations[frames, joints]
+        return Motion(self.scene.times[frames], *poses)
+
+    def become(self, scene: Scene) -> slice:
+        """Solve the scene as it is now asked.
+
+        Args:
+            scene: The same characters at the same times, with other constraints.
+
+        Returns:
+            The frames that may have another pose; the others have the one that they had, to the
+            last bit.
+
+        Raises:
+            SceneError: The scene is at fault. It stays what it was, and so does the solution.
+            PluginError: The solver does not keep its contract; likewise.
+        """
+        posed = self._mended(scene)
+        frames = changed(self.posed, posed)
+        if resumes(self.solver):
+            levels_kept = same_levels(self.posed, posed)
+            frames = self._passes.solve_again(posed, frames, levels_kept=levels_kept)
+        elif frames.start < frames.stop:
+            passes = Passes(posed, self.solver)
+            frames = _apart(self._passes.last, passes.last)
+            self._before += self._passes.seconds
+            self._passes = passes
+        self.scene, self.posed = scene, posed
+        return frames
+
+    def report(self) -> Report:
+        """Return what is left of every constraint, measured from the solution."""
+        scene, solution = self.posed, self.solution
+        rows = dict(zip(scene.constraints, judge(scene, Problem.of(scene), solution), strict=True))
+        spent = len(solution.stops), self.seconds, int(solution.iterations.sum())
+
+        def told(edit: Edit) -> EditReport:
+            own = tuple(rows[each] for each in edit.constraints)
+            return EditReport(edit.path, edit.skeleton, self.solver.name, *spent, own)
+
+        notes = (*scene.notes, *_unsettled(scene, solution), *map(sentence, broken(scene)))
+        return Report(tuple(map(told, scene.edits)), notes)
+
+    def _mended(self, scene: Scene) -> Scene:
+        """Return what is solved; constraints that stay what they were stay the same objects."""
+        if not self._mend:
+            return scene
+        before = zip(self.scene.constraints, self.posed.constraints, strict=True)
+        known = {id(asked): posed for asked, posed in before}
+        fresh = iter(mended(scene).constraints)
+
+        def kept(asked: Constraint) -> Constraint:
+            new, old = next(fresh), known.get(id(asked))
+            return old if old is not None and old.recruits == new.recruits else new
+
+        edits = (
+            replace(edit, constraints=tuple(map(kept, edit.constraints))) for edit in scene.edits
+        )
+        return replace(scene, edits=tuple(edits))
+
+
+def _unsettled(scene: Scene, solution: Solution) -> Iterator[str]:
+    """Yield what there is to say where a solve was left before it came to rest."""
+    frames = int((solution.stops == STOPS.index("iteration limit")).sum())
+    if frames:
+        names = ", ".join(edit.path for edit in scene.edits)
+        yield (
+            f"{names}: {frames} of {len(solution.stops)} frames were left at the iteration limit, "
+            "still moving"
+        )
+
+
+def _apart(one: Kept, other: Kept) -> slice:
+    """Return the frames from the first to the last on which two solutions have other poses."""
+    moved = (one.translations != other.translations).any(axis=(1, 2))
+    turned = (one.rotations != other.rotations).any(axis=(1, 2))
+    frames = np.flatnonzero(moved | turned)
+    return slice(int(frames[0]), int(frames[-1]) + 1) if len(frames) else slice(0, 0)
