@@ -95,6 +95,26 @@ def test_the_last_pass_enforces_what_the_filter_has_disturbed() -> None:
     assert np.all(twice.iterations >= once.iterations)
 
 
+def test_the_last_pass_leaves_the_root_where_the_filter_has_put_it() -> None:
+    moved = Goal(mode="offset", translation=np.array([0.1, 0.1, 0.0]), times=(0.1, 0.2, 0.3, 0.4))
+    path = arm_scene().characters[0].path
+    hand = PositionConstraint(
+        path="/Hand", skeleton=path, joint="base/shoulder/elbow/wrist", goals=(moved,)
+    )
+    problem = Problem.of(arm_scene([hand]))
+    solver = host().solver("prioritized_ik")()
+    cast = problem.cast
+    given = Motion(cast.times, cast.translations, cast.rotations)
+    first = solver.solve(problem)
+    filtered = smoothed(given, Motion(cast.times, first.translations, first.rotations), 3.0)
+    twice = enforced(solver, problem, cutoff=3.0, passes=2)
+    (root,) = np.flatnonzero(cast.translates)
+    apart = twice.translations[:, root] - filtered.translations[:, root]
+    assert np.abs(filtered.translations[:, root] - first.translations[:, root]).max() > 1e-3
+    assert np.abs(apart).max() < 1e-6
+    assert measure(problem, twice, [hand]).max() < 1e-6
+
+
 def test_a_filter_enforces_twice_even_where_one_pass_is_asked_for() -> None:
     problem = Problem.of(arm_scene())
     solver = host().solver("prioritized_ik")()

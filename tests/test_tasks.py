@@ -103,3 +103,11 @@ def test_bounds_and_shapes_stand_beside_their_tasks() -> None:
         [0.0] * 3, [0.1, 0.1, np.inf], [np.inf, np.inf, 0.4], [0.0] * 3
     ]  # fmt: skip
     assert table.free_axis[3].tolist() == [0.0, 0.0, 1.0]
+
+
+def test_a_table_above_another_asks_for_both_in_this_order() -> None:
+    upper, lower = (Problem.of(arm_scene([each])).table for each in (WRIST, ELBOW))
+    joined = upper.above(lower)
+    other = Problem.of(arm_scene([WRIST, replace(ELBOW, priority=11)])).table
+    for name, column, wanted in zip(joined._fields, joined, other, strict=True):
+        assert np.array_equal(column, wanted), name

@@ -14,7 +14,7 @@ from usdmotion.errors import PluginError, SceneError
 from usdmotion.motion import Motion
 from usdmotion.resuming import Journal, Kept, pose, solve_again
 from usdmotion.scene import Edit, Scene
-from usdmotion.smoothing import Pass, passed, reach, smoothed, winds
+from usdmotion.smoothing import Pass, after_filter, passed, reach, smoothed, winds
 from usdmotion.solving import Problem, Solution, Solver
 
 
@@ -54,18 +54,24 @@ class _Stage:
     rotations: Floats
     kept: Kept
     """What it found."""
+    filtered: bool
+    """Whether a filter comes before it."""
 
     @classmethod
-    def of(cls, done: Pass) -> "_Stage":
+    def of(cls, done: Pass, filtered: bool) -> "_Stage":
         given = done.given
-        return cls(np.array(given.translations), np.array(given.rotations), Kept.of(done.solution))
+        kept = Kept.of(done.solution)
+        return cls(np.array(given.translations), np.array(given.rotations), kept, filtered)
 
     def pose(self, scene: Scene, frames: slice) -> Problem:
         """Return the problem that the pass solves on some frames."""
         problem = pose(scene, frames)
-        translations, rotations = self.translations[frames], self.rotations[frames]
-        cast = replace(problem.cast, translations=translations, rotations=rotations)
-        return replace(problem, cast=cast)
+        if not self.filtered:
+            return problem
+        times = problem.cast.times
+        return after_filter(
+            problem, Motion(times, self.translations[frames], self.rotations[frames])
+        )
 
 
 class Passes:
@@ -87,7 +93,7 @@ class Passes:
         problem = Problem.of(scene)
         self._times = problem.cast.times
         done = passed(self._solver, problem, self._cutoff, count)
-        self._stages = [_Stage.of(each) for each in done]
+        self._stages = [_Stage.of(each, number > 0) for number, each in enumerate(done)]
         first = self._stages[0]
         self._winds = len(self._stages) > 1 and winds(self._input(), self._found(first))
 

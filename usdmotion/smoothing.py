@@ -6,9 +6,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.kernels import conjugate, from_vector, multiply, to_vector
+from usdmotion.cast import Cast
+from usdmotion.kernels import TaskTable, conjugate, from_vector, multiply, to_vector
 from usdmotion.motion import Motion
 from usdmotion.solving import Problem, Solution, Solver
+from usdmotion.tasks import Demand, PointTask, Term, tabulate
 
 _TRANSITION = 1.5
 """Width of the filter, in periods of its cutoff."""
@@ -49,9 +51,19 @@ def passed(solver: Solver, problem: Problem, cutoff: float, passes: int) -> Iter
     for _ in range(max(passes, 2) - 1 if cutoff > 0.0 else 0):
         found = Motion(given.times, solution.translations, solution.rotations)
         start = smoothed(given, found, cutoff)
-        cast = replace(problem.cast, translations=start.translations, rotations=start.rotations)
-        solution = solver.solve(replace(problem, cast=cast))
+        solution = solver.solve(after_filter(problem, start))
         yield Pass(start, solution)
+
+
+def after_filter(problem: Problem, start: Motion) -> Problem:
+    """Return the problem of a pass that starts from a filtered motion, and keeps roots there.
+
+    Below all that is asked, roots that something recruits are asked to stay: posture alone would
+    let go of them, since the root's translation is no part of it, and the pass would undo what the
+    filter is there for (2004, section 5.2).
+    """
+    cast = replace(problem.cast, translations=start.translations, rotations=start.rotations)
+    return replace(problem, cast=cast, table=_keeping_roots(problem, cast))
 
 
 def reach(times: Floats, cutoff: float) -> int:
@@ -73,6 +85,26 @@ def winds(before: Motion, after: Motion) -> bool:
     """
     turned = _continuous(to_vector(multiply(conjugate(before.rotations), after.rotations)))
     return bool(np.linalg.norm(turned, axis=-1).max(initial=0.0) > np.pi)
+
+
+def _keeping_roots(problem: Problem, cast: Cast) -> TaskTable:
+    """Return what is asked, and on a level below it that recruited roots stay where a cast is."""
+    frames = np.ones(cast.frame_count)
+    kept = [
+        Demand(
+            tasks=(PointTask((Term(int(root), np.zeros(3)),), cast.positions[:, root]),),
+            priority=1,
+            weight=frames,
+            activity=frames,
+            recruits=np.arange(cast.node_count) == root,
+            moves=frozenset({int(root)}),
+            plateau=frames > 0.0,
+        )
+        for root in np.flatnonzero(problem.recruited & cast.translates)
+    ]
+    if not kept:
+        return problem.table
+    return problem.table.above(tabulate(kept, cast.frame_count, cast.node_count))
 
 
 def smoothed(before: Motion, after: Motion, cutoff: float) -> Motion:

@@ -205,6 +205,8 @@ def test_an_edit_is_read_as_it_was_authored(text, save, read):
         solver="ccd",
         frames=(2, 4),
         sample_rate=48,
+        smoothing=2.5,
+        passes=3,
         options={"iterations": 3, "gain": 0.5, "finish": True, "mode": "fast"},
     )
     stage.Save()
@@ -212,6 +214,7 @@ def test_an_edit_is_read_as_it_was_authored(text, save, read):
     shot = read(path)
     (edit,) = shot.scenes[0].edits
     assert (edit.skeleton, edit.solver) == ("/Man/Bones", "ccd")
+    assert (edit.smoothing, edit.passes) == (2.5, 3)
     assert edit.options == {"iterations": 3, "gain": 0.5, "finish": True, "mode": "fast"}
     assert shot.scenes[0].time_codes.tolist() == [2, 2.5, 3, 3.5, 4]
     assert shot.takes[0].source == "/Man/Walk"

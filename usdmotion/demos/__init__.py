@@ -17,6 +17,7 @@ NAMES = (
     "karate_weighted",
     "raised_arms",
     "elbow_and_wrist",
+    "stairs",
     "strictness",
     "ranks",
     "recruiting",

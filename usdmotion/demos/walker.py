@@ -27,6 +27,9 @@ def write_walk(
     edit: str,
     constraints: Sequence[Constraint],
     variants: Mapping[str, Sequence[Constraint]] | None = None,
+    *,
+    smoothing: float = 0.0,
+    passes: int = 1,
 ) -> None:
     """Write a stage with the walker and one edit of it.
 
@@ -36,6 +39,8 @@ def write_walk(
         edit: Name of the MotionEdit, under the Skeleton.
         constraints: What is asked; the last part of each path is the prim's name.
         variants: What is asked besides in each variant of the edit; the first is selected.
+        smoothing: Cutoff of the filter between two passes [Hz]; 0 is off.
+        passes: How often the constraints are enforced.
     """
     path = f"{SKELETON}/{edit}"
     codes = FIRST + np.round(walk.motion.times * RATE)
@@ -54,7 +59,7 @@ def write_walk(
             tip_joints=np.array([each.joint for each in ends]),
             tip_points=np.array([each.end for each in ends]),
         )
-        usd.author_edit(stage, path)
+        usd.author_edit(stage, path, smoothing=smoothing, passes=passes)
         _author(stage, path, constraints, codes)
         # The one that is made last stays selected.
         for name, asked in reversed(list((variants or {}).items())):

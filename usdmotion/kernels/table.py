@@ -5,7 +5,10 @@ one task. A node is a joint of the cast, or a skeleton's space.
 """
 
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from usdmotion.arrays import Bools, Floats, Ints
 
@@ -94,6 +97,19 @@ class TaskTable(NamedTuple):
     def during(self, frames: slice) -> "TaskTable":
         """Return the table of some of the frames; nothing is copied."""
         return self._replace(**{name: getattr(self, name)[frames] for name in OVER_FRAMES})
+
+    def above(self, lower: "TaskTable") -> "TaskTable":
+        """Return this table, which has a task, with those of another on levels below its own."""
+        counted = {"level": 1 + self.level[-1], "constraint": 1 + self.constraint.max()}
+
+        def column(name: str) -> NDArray[Any]:
+            upper, under = getattr(self, name), getattr(lower, name)
+            if name.startswith("first_"):
+                return np.concatenate([upper, upper[-1] + under[1:]])
+            under = under + counted[name] if name in counted else under
+            return np.concatenate([upper, under], axis=int(name in OVER_FRAMES))
+
+        return TaskTable(**{name: column(name) for name in self._fields})
 
 
 OVER_FRAMES = (

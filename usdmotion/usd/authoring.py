@@ -34,6 +34,8 @@ def author_edit(
     solver: str = "",
     frames: tuple[float, float] | None = None,
     sample_rate: float = 0.0,
+    smoothing: float = 0.0,
+    passes: int = 1,
     options: Mapping[str, bool | int | float | str] | None = None,
 ) -> None:
     """Author a MotionEdit, or change the one that is there.
@@ -46,6 +48,8 @@ def author_edit(
         solver: Registered name; "" is the default one.
         frames: First and last time code to solve; None is all of the source.
         sample_rate: Samples per second of the result; 0 is the source's own times.
+        smoothing: Cutoff of the filter between two passes [Hz]; 0 is off.
+        passes: How often the constraints are enforced; with smoothing at least twice.
         options: Options of the solver.
     """
     prim = define(stage, path, "MotionEdit")
@@ -58,6 +62,10 @@ def author_edit(
         prim.GetAttribute("usdmotion:range").Set(time_code_array(frames))
     if sample_rate:
         prim.GetAttribute("usdmotion:sampleRate").Set(float(sample_rate))
+    if smoothing:
+        prim.GetAttribute("usdmotion:smoothing").Set(float(smoothing))
+    if passes != 1:
+        prim.GetAttribute("usdmotion:passes").Set(passes)
     for name, chosen in (options or {}).items():
         kind = _OPTION_TYPES[type(chosen)]
         prim.CreateAttribute(f"usdmotion:option:{name}", kind, custom=True).Set(chosen)
