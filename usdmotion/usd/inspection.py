@@ -9,6 +9,7 @@ from pxr import Usd, UsdSkel
 
 from usdmotion.constraints import Constraint
 from usdmotion.errors import SceneError
+from usdmotion.usd.balance import Note, falls
 from usdmotion.usd.clips import own_times
 from usdmotion.usd.constraints import constraint_prims, goal_prims
 from usdmotion.usd.edits import DEFAULT_SOLVER, options_of
@@ -130,6 +131,7 @@ class Inspection:
     constraints: tuple[ConstraintFacts, ...]
     contacts: tuple[ContactFacts, ...]
     faults: tuple[Fault, ...]
+    notes: tuple[Note, ...]
 
 
 def inspect(path: Path, kinds: Sequence[type[Constraint]]) -> Inspection:
@@ -169,6 +171,7 @@ def inspect(path: Path, kinds: Sequence[type[Constraint]]) -> Inspection:
             _contact(prim) for prim in prims if is_a(prim, "UsdMotionContactConstraint")
         ),
         faults=(*composition_faults(stage), *find(stage)),
+        notes=tuple(note for edit in edits for note in falls(edit)),
     )
 
 
