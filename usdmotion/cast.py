@@ -8,6 +8,7 @@ import numpy as np
 
 from usdmotion.arrays import Bools, Floats, Ints, seal
 from usdmotion.errors import SceneError
+from usdmotion.humanoid import PartMap
 from usdmotion.kernels import forward
 from usdmotion.motion import Body, Motion, Placement, Skeleton
 
@@ -31,6 +32,8 @@ class Character:
     """The joint that also translates when a constraint recruits it."""
     masses_from: str = "authored"
     """Where the body's masses are from, as a report says it."""
+    parts: PartMap | None = None
+    """Which joint is which part of a human body; None where that is not sure."""
 
     def during(self, frames: slice) -> "Character":
         """Return the character on some of its frames."""

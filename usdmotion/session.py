@@ -169,11 +169,14 @@ class Session:
 
     def report(self) -> Report:
         """Return what is left of every constraint, measured from the answer as it is now."""
-        told = [solved.report() for solved in self._scenes]
-        return Report(
-            tuple(edit for each in told for edit in each.edits),
-            (*self._shot.warnings, *(note for each in told for note in each.notes)),
-        )
+        edits = (edit for solved in self._scenes for edit in solved.report().edits)
+        return Report(tuple(edits), self.notes)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """One sentence about each thing that whoever asked should know."""
+        told = (note for solved in self._scenes for note in solved.notes)
+        return (*self._shot.warnings, *told)
 
     def write(self, output: Path, *, compose: Path | None = None) -> None:
         """Write the layer that puts the answer over the shot.
@@ -191,7 +194,8 @@ class Session:
         from usdmotion import usd
 
         shot = replace(self._shot, scenes=tuple(each.scene for each in self._scenes))
-        usd.write(shot, [each for solved in self._scenes for each in _results(solved)], output)
+        results = [each for solved in self._scenes for each in _results(solved)]
+        usd.write(shot, results, output, notes=self.notes)
         if compose is not None:
             usd.compose(shot, output, compose)
 

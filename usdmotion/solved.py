@@ -106,8 +106,14 @@ class SolvedScene:
             own = tuple(rows[each] for each in edit.constraints)
             return EditReport(edit.path, edit.skeleton, self.solver.name, *spent, own)
 
-        notes = (*scene.notes, *_unsettled(scene, solution), *map(sentence, broken(scene)))
-        return Report(tuple(map(told, scene.edits)), notes)
+        return Report(tuple(map(told, scene.edits)), self.notes)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """One sentence about each thing in the scene or its solution that should be known."""
+        scene = self.posed
+        unsettled = _unsettled(scene, self.solution)
+        return (*scene.notes, *unsettled, *map(sentence, broken(scene)))
 
     def _mended(self, scene: Scene) -> Scene:
         """Return what is solved; constraints that stay what they were stay the same objects."""

@@ -13,6 +13,7 @@ except RegistrationError:  # a plugin that brings a broken schema takes nobody d
 
 from usdmotion.usd.authoring import author, author_edit
 from usdmotion.usd.character_authoring import author_character
+from usdmotion.usd.edit_layers import read_outcomes
 from usdmotion.usd.inspection import Inspection, inspect
 from usdmotion.usd.new_stages import new_stage
 from usdmotion.usd.reading import read
@@ -34,6 +35,7 @@ __all__ = [
     "inspect",
     "new_stage",
     "read",
+    "read_outcomes",
     "variant",
     "write",
     "write_recording",

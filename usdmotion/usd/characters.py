@@ -76,11 +76,9 @@ def read_character(
     motion = _motion(solved, columns, rest, scaling, facts, name)
     frames = len(time_codes)
     shape = _skeleton(joints, of_space[:1], motion)
-    body, masses_from = with_masses(
-        shape,
-        read_body(skeleton, joints, scaling.of_joints[0]),
-        recognize(shape, parts_of(skeleton, len(joints.tokens))),
-    )
+    parts = recognize(shape, parts_of(skeleton, len(joints.tokens)))
+    body = read_body(skeleton, joints, scaling.of_joints[0])
+    body, masses_from = with_masses(shape, body, parts)
     character = Character(
         path=joints.path,
         skeleton=shape,
@@ -90,6 +88,7 @@ def read_character(
         placement=Placement(
             np.broadcast_to(placed, (frames, 3)), np.broadcast_to(turned, (frames, 4))
         ),
+        parts=parts,
         root=root_joint(skeleton, joints.parents, travelling(own.translations, columns)),
     )
     return Sitting(character, joints, clip, columns, own, solved, scaling)

@@ -9,6 +9,7 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 import numpy as np
+from pxr import Sdf, Vt
 
 from usdmotion.usd.shot import Result, Shot, Take
 
@@ -34,14 +35,31 @@ def input_hash(shot: Shot, take: Take) -> str:
     return digest.hexdigest()
 
 
-def provenance(results: Sequence[Result], hashes: Mapping[str, str]) -> dict[str, object]:
-    """Return what the layer says of itself: version, solver, options, hashes of what was read."""
-    return {
+def provenance(
+    shot: Shot, results: Sequence[Result], hashes: Mapping[str, str], notes: Sequence[str]
+) -> dict[str, object]:
+    """Return what the layer says of itself.
+
+    It is version, solver, options and hashes of what was read; the frames, where others were asked
+    for than the edits say; and the notes, where there are any.
+    """
+    told: dict[str, object] = {
         "version": own_version(),
         "solver": ", ".join(sorted({result.solver for result in results})),
         "options": {result.edit: dict(result.options) for result in results},
         "hashes": dict(hashes),
     }
+    if shot.frames is not None:
+        told["frames"] = Vt.DoubleArray(shot.frames)
+    if notes:
+        told["notes"] = Vt.StringArray(list(notes))
+    return told
+
+
+def recorded(layer: Sdf.Layer) -> Mapping[str, Any]:
+    """Return what a layer says of itself, as `provenance` has it; nothing where it does not."""
+    said = layer.customLayerData.get("usdmotion", {})
+    return said if isinstance(said, Mapping) else {}
 
 
 def _feed(digest: Any, value: Any) -> None:

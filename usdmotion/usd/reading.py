@@ -52,7 +52,18 @@ def read(
         FileError: The file cannot be opened.
         SceneError: Something on the stage cannot be solved, or had to be guessed.
     """
-    stage = open_stage(path)
+    return read_stage(open_stage(path), path, edits=edits, frames=frames, kinds=kinds)
+
+
+def read_stage(
+    stage: Usd.Stage,
+    path: Path,
+    *,
+    edits: Sequence[str],
+    frames: tuple[float, float] | None,
+    kinds: Sequence[type[Constraint]],
+) -> Shot:
+    """Return the scenes of a stage that is open, as `read` does; errors name the path."""
     try:
         refuse(composition_faults(stage))
         facts = read_facts(stage)
@@ -68,6 +79,7 @@ def read(
         scenes=tuple(scene for scene, _ in read_groups),
         takes=tuple(take for _, takes in read_groups for take in takes),
         warnings=warnings((each.edit for each in requests), _players(requests)),
+        frames=frames,
     )
 
 

@@ -103,6 +103,8 @@ class Shot:
     """One for each edit of the scenes."""
     warnings: tuple[str, ...] = ()
     """One sentence about each thing that can be solved but is probably not meant."""
+    frames: tuple[float, float] | None = None
+    """First and last time code that were asked for, over what the edits say."""
 
     def scene(self, edit: str) -> Scene:
         """Return the scene that an edit is in."""

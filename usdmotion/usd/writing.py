@@ -20,17 +20,20 @@ from usdmotion.usd.layers import (
 )
 from usdmotion.usd.provenance import input_hash, own_version, provenance
 from usdmotion.usd.results import result_of
-from usdmotion.usd.shot import Result, Shot, Take
+from usdmotion.usd.shot import Facts, Result, Shot, Take
 from usdmotion.usd.sources import SOURCE, extras_for
 
 
-def write(shot: Shot, results: Sequence[Result], output: Path) -> None:
+def write(
+    shot: Shot, results: Sequence[Result], output: Path, *, notes: Sequence[str] = ()
+) -> None:
     """Write the layer that puts results over the shot they were made from.
 
     Args:
         shot: What was read.
         results: One for each edit that was solved.
         output: The layer to write.
+        notes: What whoever made them had to say; a report of the layer says it again.
 
     Raises:
         FileError: It cannot be written there, or is a layer that was read.
@@ -51,7 +54,7 @@ def write(shot: Shot, results: Sequence[Result], output: Path) -> None:
             extras = extras_for(take.extras, take.folder, str(output.parent))
             _write_result(layer, shot, take, result, extras, hashes[result.edit])
             _write_binding(layer, take)
-        layer.customLayerData = {"usdmotion": provenance(results, hashes)}
+        layer.customLayerData = {"usdmotion": provenance(shot, results, hashes, notes)}
     save(layer, output)
 
 
@@ -68,15 +71,22 @@ def compose(shot: Shot, edit_layer: Path, output: Path) -> None:
     """
     inputs = shot.layers | {os.path.realpath(edit_layer)}
     require_writable(output, inputs)
-    layer = new_layer(shot.facts)
-    if shot.facts.default_prim:
-        layer.defaultPrim = shot.facts.default_prim
-    layer.subLayerPaths[:] = [relative(path, output.parent) for path in (edit_layer, shot.path)]
+    paths = [relative(path, output.parent) for path in (edit_layer, shot.path)]
+    layer = composed(shot.facts, paths)
     known = Usd.Stage.CreateInMemory()
     known.WriteFallbackPrimTypes()
     fallbacks = known.GetRootLayer().pseudoRoot.GetInfo("fallbackPrimTypes")
     layer.pseudoRoot.SetInfo("fallbackPrimTypes", fallbacks)
     save(layer, output)
+
+
+def composed(facts: Facts, paths: Sequence[str]) -> Sdf.Layer:
+    """Return a layer that is read like a stage with those facts and shows some layers."""
+    layer = new_layer(facts)
+    if facts.default_prim:
+        layer.defaultPrim = facts.default_prim
+    layer.subLayerPaths[:] = list(paths)
+    return layer
 
 
 def _write_result(
