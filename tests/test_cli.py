@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 import typer
 
-from usdmotion import cli, solved
+from usdmotion import cli, pipeline, solved
 from usdmotion.plugins import host
 
 ArmShot = Callable[..., Path]
@@ -63,6 +63,7 @@ def test_these_are_the_verbs() -> None:
         "import",
         "inspect",
         "solve",
+        "report",
         "plugins",
         "demo",
         "schema path",
@@ -83,8 +84,10 @@ def test_every_verb_has_one_line_of_purpose_and_an_example(verb: str, run: Run) 
 
 @pytest.mark.parametrize("verb", commands())
 def test_every_example_works(verb: str, run: Run, arm_shot: ArmShot, tmp_path: Path) -> None:
-    arm_shot(name="shot.usda")
+    shot = arm_shot(name="shot.usda")
     (tmp_path / "walk.bvh").write_text(BVH)
+    if verb == "report":
+        pipeline.solve(shot, tmp_path / "shot.edit.usda")
     said = run(*example(verb))
     assert said.status == 0, said.err
 
@@ -195,6 +198,40 @@ def test_solve_tells_who_breaks_the_recruiting_rule(
     monkeypatch.setattr(solved, "broken", lambda scene: ["it"])
     monkeypatch.setattr(solved, "sentence", lambda violation: f"{violation} breaks the rule")
     assert "note: it breaks the rule" in run("solve", arm_shot()).err
+
+
+def test_solve_reports_what_report_does(run: Run, arm_shot: ArmShot, tmp_path: Path) -> None:
+    said = run("solve", arm_shot(), "--report", "one.html")
+    assert said.status == 0 and "wrote one.html" in said.out
+    said = run("report", "arm.edit.usda", "--png", "pictures")
+    assert said.status == 0
+    assert "wrote arm.edit.html" in said.out and "wrote pictures" in said.out
+    assert (tmp_path / "arm.edit.html").read_bytes() == (tmp_path / "one.html").read_bytes()
+    assert (tmp_path / "pictures/Edit.overview.png").is_file()
+
+
+def test_report_tells_what_is_stale(run: Run, arm_shot: ArmShot) -> None:
+    run("solve", arm_shot())
+    arm_shot(0.07)
+    said = run("report", "arm.edit.usda")
+    assert said.status == 0
+    assert "note: the result of </Arm/Skeleton/Edit> is stale" in said.err
+
+
+@pytest.mark.parametrize("verb", ["solve", "report"])
+def test_without_matplotlib_a_report_is_refused_before_anything_is_done(
+    run: Run, arm_shot: ArmShot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, verb: str
+) -> None:
+    arm_shot()
+    words = {"solve": ("arm.usda", "--report", "a.html"), "report": ("arm.usda",)}
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    said = run(verb, *words[verb])
+    assert said.status == 2
+    assert said.err == (
+        "usdmotion: a report is drawn with matplotlib, which is not installed; "
+        "pip install 'usdmotion[report]'\n"
+    )
+    assert [each.name for each in tmp_path.iterdir()] == ["arm.usda"]
 
 
 def test_import_tells_what_it_noticed_and_where_it_wrote(run: Run, tmp_path: Path) -> None:

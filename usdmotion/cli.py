@@ -45,6 +45,9 @@ Frames = Annotated[
 Composed = Annotated[
     Path | None, typer.Option(metavar="FILE", help="Write a stage that shows the answer.")
 ]
+Page = Annotated[
+    Path | None, typer.Option("--report", metavar="FILE", help="Write a report of it as HTML.")
+]
 MendRecruiting = Annotated[
     bool,
     typer.Option("--mend-recruiting", help="Let constraints recruit what lower ranks move."),
@@ -129,6 +132,7 @@ def solve(
     frames: Frames = None,
     compose: Composed = None,
     mend_recruiting: MendRecruiting = False,
+    report: Page = None,
     json: Json = None,
     strict: Strict = False,
     quiet: Quiet = False,
@@ -139,7 +143,7 @@ def solve(
     terminal = Terminal.open(quiet=quiet, json=json)
     output = output or shot.with_name(f"{shot.stem}.edit.usda")
     with terminal.busy() as say:
-        report = pipeline.solve(
+        told = pipeline.solve(
             shot,
             output,
             edits=edit or (),
@@ -148,15 +152,52 @@ def solve(
             frames=_frames(frames),
             compose=compose,
             mend_recruiting=mend_recruiting,
+            page=report,
             say=say,
         )
-    for note in report.notes:
+    for note in told.notes:
         terminal.note(note)
     if json is not None:
-        write_text(report.to_json(), json)
-    terminal.tell(*report.tables(), *(f"wrote {path}" for path in (output, compose) if path))
-    if strict and not report.met:
+        write_text(told.to_json(), json)
+    written = (f"wrote {path}" for path in (output, compose, report) if path)
+    terminal.tell(*told.tables(), *written)
+    if strict and not told.met:
         raise typer.Exit(3)
+
+
+@app.command(epilog="Example: usdmotion report shot.edit.usda -o report.html --png pictures")
+def report(
+    result: Annotated[
+        Path, typer.Argument(help="A layer that solve wrote, or a stage that shows it.")
+    ],
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", help="The page to write.", show_default=False),
+    ] = None,
+    shot: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="The shot under the layer; else the file beside it after which it is named.",
+        ),
+    ] = None,
+    png: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Write the pictures as files too.")
+    ] = None,
+    quiet: Quiet = False,
+) -> None:
+    """Show what became of a solved shot, in pictures, as one file of HTML."""
+    from usdmotion import reporting
+
+    terminal = Terminal.open(quiet=quiet)
+    output = output or result.with_suffix(".html")
+    with terminal.busy() as say:
+        findings = reporting.report(result, output, shot=shot, png=png, say=say)
+    records = [edit.record for found in findings for edit in found.edits]
+    for record in records:
+        if record.stale:
+            terminal.note(f"the result of <{record.edit}> is stale: its shot has changed since")
+    terminal.tell(f"wrote {output}", *([f"wrote {png}"] if png else []))
 
 
 @app.command(epilog="Example: usdmotion plugins --json plugins.json")

@@ -12,6 +12,7 @@ from usdmotion.options import configured
 from usdmotion.plugins import host
 from usdmotion.recording import Recording
 from usdmotion.report import Report
+from usdmotion.reporting import report, require_matplotlib
 from usdmotion.resampling import evenly
 from usdmotion.session import Say, Session
 
@@ -86,6 +87,7 @@ def solve(
     frames: tuple[float, float] | None = None,
     compose: Path | None = None,
     mend_recruiting: bool = False,
+    page: Path | None = None,
     say: Say = lambda _: None,
 ) -> Report:
     """Solve the edits of a stage and write the layer that puts the answer over it.
@@ -99,12 +101,15 @@ def solve(
         frames: First and last time code to solve; None takes what each edit says.
         compose: Where to write a stage that shows the answer over the shot; None writes none.
         mend_recruiting: Let constraints recruit what the recruiting rule asks of them.
+        page: Where to write the report of it, as `reporting.report` does; None writes none.
         say: Is told what is being done.
 
     Raises:
         InputError: The stage, an edit or an option is at fault.
         PluginError: The solver does not keep its contract.
     """
+    if page is not None:
+        require_matplotlib()
     session = Session.open(
         shot,
         edits=edits,
@@ -116,6 +121,8 @@ def solve(
     )
     say(f"writing {output}")
     session.write(output, compose=compose)
+    if page is not None:
+        report(output, page, shot=shot, say=say)
     return session.report()
 
 

@@ -96,10 +96,19 @@ def write_text(text: str, target: str) -> None:
     """
     if target == "-":
         sys.stdout.write(text + "\n")
-        return
+    else:
+        write_bytes((text + "\n").encode(), Path(target))
+
+
+def write_bytes(held: bytes, target: Path) -> None:
+    """Write a file, whole or not at all.
+
+    Raises:
+        FileError: It cannot be written.
+    """
     beside = Path(f"{target}.part")
     try:
-        beside.write_text(text + "\n", encoding="utf-8")
+        beside.write_bytes(held)
         os.replace(beside, target)
     except OSError as error:
         raise FileError(f"{target}: cannot be written: {error.strerror}") from error

@@ -10,6 +10,7 @@ from rich.text import Text
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint
 from usdmotion.measuring import measure, tolerance
+from usdmotion.report.wording import kind_of
 from usdmotion.scene import Scene
 from usdmotion.solving import Problem, Solution
 
@@ -77,23 +78,23 @@ def judge(scene: Scene, problem: Problem, solution: Solution) -> tuple[Constrain
     """Return what a solution leaves of every constraint of a scene, in the scene's order."""
     errors = measure(problem, solution, scene.constraints)
     return tuple(
-        _judged(constraint, left[demand.plateau], scene.time_codes[demand.plateau])
+        judged(constraint, left[demand.plateau], scene.time_codes[demand.plateau])
         for constraint, demand, left in zip(scene.constraints, scene.demands, errors.T, strict=True)
     )
 
 
-def _judged(constraint: Constraint, errors: Floats, time_codes: Floats) -> ConstraintReport:
+def judged(constraint: Constraint, errors: Floats, time_codes: Floats) -> ConstraintReport:
     """Return the report of one constraint from its errors on the plateau and their times."""
     largest = float(errors.max(initial=0.0))
-    judged = len(errors) > 0
+    on = len(errors) > 0
     return ConstraintReport(
         path=constraint.path,
         type=constraint.schema,
         priority=constraint.priority,
         max=largest,
-        rms=float(np.sqrt(np.mean(errors**2))) if judged else 0.0,
+        rms=float(np.sqrt(np.mean(errors**2))) if on else 0.0,
         unit=constraint.unit,
-        worst_time=float(time_codes[errors.argmax()]) if judged else None,
+        worst_time=float(time_codes[errors.argmax()]) if on else None,
         met=largest <= tolerance(constraint),
     )
 
@@ -112,7 +113,7 @@ def _table(edit: EditReport) -> Table:
         table.add_row(
             str(row.priority),
             _short(row.path, edit.path),
-            row.type.removeprefix("Motion").removesuffix("Constraint"),
+            kind_of(row.type),
             _error(row.max, row.unit),
             _error(row.rms, row.unit),
             "never on" if row.worst_time is None else f"{row.worst_time:g}",

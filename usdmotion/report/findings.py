@@ -1,0 +1,244 @@
+"""Everything that a report tells of an outcome, measured from its motions; nothing is drawn."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from usdmotion.arrays import Bools, Floats
+from usdmotion.cast import Character
+from usdmotion.constraints import CenterOfMassConstraint, Constraint
+from usdmotion.kernels import conjugate, forward, multiply, to_vector, world_points
+from usdmotion.measuring import measure, tolerance
+from usdmotion.outcome import Outcome, Record
+from usdmotion.quality import along_ground, center_of_mass, jerk
+from usdmotion.report.feet import Footing, Pose, footings
+from usdmotion.report.verdict import ConstraintReport, judged
+from usdmotion.scene import Edit, Scene
+
+
+@dataclass(frozen=True, eq=False)
+class Trace:
+    """One constraint over time."""
+
+    constraint: Constraint
+    name: str
+    """Its path without its edit's."""
+    verdict: ConstraintReport
+    tolerance: float
+    """What counts as met, in the unit of the verdict."""
+    errors: Floats
+    """In that unit, shape (frame_count,)."""
+    activity: Floats
+    """0..1, its own and that of its goals together, shape (frame_count,)."""
+    on: Bools
+    """Where it asks for anything at all, be it its original trajectory, shape (frame_count,)."""
+    plateau: Bools
+    """Where it is judged, shape (frame_count,)."""
+
+    @property
+    def missed(self) -> Bools:
+        """The frames on which it is judged and not met."""
+        return np.asarray(self.plateau & (self.errors > self.tolerance))
+
+
+@dataclass(frozen=True, eq=False)
+class Smoothness:
+    """How hard joints are jerked in the input and in the result."""
+
+    time_codes: Floats
+    """Between the frames, shape (sample_count,)."""
+    before: Floats
+    """Input [m/s³], shape (sample_count, joint_count)."""
+    after: Floats
+    """Result [m/s³]."""
+    root: int
+    """The joint that also translates."""
+    joints: tuple[str, ...]
+
+    @cached_property
+    def rms(self) -> tuple[Floats, Floats]:
+        """Root mean square over time of input and result, each of shape (joint_count,)."""
+        return _rms(self.before), _rms(self.after)
+
+
+@dataclass(frozen=True, eq=False)
+class Balance:
+    """The centre of mass and the middle of its supports, in the input and in the result."""
+
+    before: Floats
+    """Centre of mass in the input [m], shape (frame_count, 3)."""
+    after: Floats
+    """The same in the result."""
+    support_before: Floats
+    """Middle of the supports in the input [m], shape (frame_count, 3)."""
+    support_after: Floats
+    masses_from: str
+
+    def away(self, up: Floats) -> tuple[Floats, Floats]:
+        """Return how far it is from its supports along the ground [m], before and after."""
+        pairs = ((self.before, self.support_before), (self.after, self.support_after))
+        before, after = (np.linalg.norm(along_ground(a - b, up), axis=1) for a, b in pairs)
+        return before, after
+
+
+@dataclass(frozen=True, eq=False)
+class EditFindings:
+    """What became of one edit."""
+
+    edit: Edit
+    character: Character
+    record: Record
+    traces: tuple[Trace, ...]
+    """In rank order."""
+    turned: Floats
+    """How far each joint is turned from the input [degrees], shape (frame_count, joint_count)."""
+    moved: Floats
+    """How far each joint is from where it was [m], shape (frame_count, joint_count)."""
+    smoothness: Smoothness | None
+    """None of fewer than four frames."""
+    footings: tuple[Footing, ...]
+    balance: Balance | None
+    """None where there is nothing that it could be over."""
+
+    @property
+    def levels(self) -> list[tuple[int, list[Trace]]]:
+        """The priorities, the first enforced first, with what is asked at each."""
+        ranks = sorted({trace.verdict.priority for trace in self.traces})
+        return [(rank, [t for t in self.traces if t.verdict.priority == rank]) for rank in ranks]
+
+
+@dataclass(frozen=True, eq=False)
+class Findings:
+    """What became of one scene."""
+
+    scene: Scene
+    before: Pose
+    """The input."""
+    after: Pose
+    """The result."""
+    edits: tuple[EditFindings, ...]
+    notes: tuple[str, ...]
+
+    def joints(self, skeleton: str) -> slice:
+        """Return which nodes of the poses are the joints of a skeleton."""
+        start = self.scene.cast.index[skeleton, ""] + 1
+        return slice(start, start + len(self.scene.character(skeleton).skeleton.joints))
+
+
+def findings_of(outcome: Outcome) -> Findings:
+    """Return what there is to tell of an outcome."""
+    scene, cast = outcome.scene, outcome.scene.cast
+    solution = outcome.solution
+    after = forward(cast.parents, solution.translations, solution.rotations)
+    errors = measure(outcome.problem, solution, scene.constraints)
+    traces = {
+        id(constraint): _trace(scene, constraint, index, errors[:, index])
+        for index, constraint in enumerate(scene.constraints)
+    }
+    edits = []
+    for edit, record in zip(scene.edits, outcome.records, strict=True):
+        own = sorted((traces[id(each)] for each in edit.constraints), key=_rank)
+        edits.append(_edit(outcome, edit, record, own, after))
+    before = (cast.positions, cast.orientations)
+    return Findings(scene, before, after, tuple(edits), outcome.notes)
+
+
+def _rank(trace: Trace) -> int:
+    return trace.verdict.priority
+
+
+def _trace(scene: Scene, constraint: Constraint, index: int, errors: Floats) -> Trace:
+    demand = scene.demands[index]
+    edit = next(each for each in scene.edits if constraint in each.constraints)
+    on = demand.plateau
+    return Trace(
+        constraint=constraint,
+        name=constraint.path.removeprefix(f"{edit.path}/"),
+        verdict=judged(constraint, errors[on], scene.time_codes[on]),
+        tolerance=tolerance(constraint),
+        errors=errors,
+        activity=demand.activity * _goal_activity(scene, constraint),
+        on=demand.activity > 0.0,
+        plateau=on,
+    )
+
+
+def _goal_activity(scene: Scene, constraint: Constraint) -> Floats:
+    """Return how far the goals of a constraint are on; 1 where it has none, or never all."""
+    times = scene.cast.times
+    if not constraint.goals:
+        return np.ones(len(times))
+    return np.asarray(np.max([goal.share(times) for goal in constraint.goals], axis=0))
+
+
+def _edit(
+    outcome: Outcome, edit: Edit, record: Record, traces: Sequence[Trace], after: Pose
+) -> EditFindings:
+    scene, cast, solution = outcome.scene, outcome.scene.cast, outcome.solution
+    character = scene.character(edit.skeleton)
+    start = cast.index[edit.skeleton, ""] + 1
+    joints = slice(start, start + len(character.skeleton.joints))
+    turns = multiply(conjugate(cast.rotations[:, joints]), solution.rotations[:, joints])
+    shifts = after[0][:, joints] - cast.positions[:, joints]
+    feet = footings(scene, edit, after)
+    return EditFindings(
+        edit=edit,
+        character=character,
+        record=record,
+        traces=tuple(traces),
+        turned=np.degrees(np.linalg.norm(to_vector(turns), axis=-1)),
+        moved=np.linalg.norm(shifts, axis=-1),
+        smoothness=_smoothness(scene, character, after[0][:, joints], joints),
+        footings=feet,
+        balance=_balance(scene, edit, feet, after, joints),
+    )
+
+
+def _smoothness(
+    scene: Scene, character: Character, after: Floats, joints: slice
+) -> Smoothness | None:
+    cast = scene.cast
+    if cast.frame_count < 4:
+        return None
+    when, before = jerk(cast.times, cast.positions[:, joints])
+    codes = np.interp(when, cast.times, scene.time_codes)
+    tokens = character.skeleton.joints
+    return Smoothness(codes, before, jerk(cast.times, after)[1], character.root, tokens)
+
+
+def _balance(
+    scene: Scene, edit: Edit, feet: Sequence[Footing], after: Pose, joints: slice
+) -> Balance | None:
+    cast = scene.cast
+    masses, centers = cast.masses[joints], cast.mass_centers[joints]
+    poses = ((cast.positions, cast.orientations), after)
+    supports = _supports(scene, edit, feet, poses)
+    if supports is None or not masses.any():
+        return None
+    there = [center_of_mass(p[:, joints], q[:, joints], masses, centers) for p, q in poses]
+    source = scene.character(edit.skeleton).masses_from
+    return Balance(there[0], there[1], supports[0], supports[1], source)
+
+
+def _supports(
+    scene: Scene, edit: Edit, feet: Sequence[Footing], poses: tuple[Pose, Pose]
+) -> list[Floats] | None:
+    """Return the middle of what the centre of mass should be over, in each pose.
+
+    It is what a constraint names, else the points of the feet.
+    """
+    cast = scene.cast
+    for each in edit.constraints:
+        if isinstance(each, CenterOfMassConstraint) and each.supports:
+            nodes = [cast.node((each.skeleton, token), each.path) for token in each.supports]
+            points = each.support_points if len(each.support_points) else np.zeros((len(nodes), 3))
+            return [world_points(p[:, nodes], q[:, nodes], points).mean(axis=1) for p, q in poses]
+    if not feet:
+        return None
+    return [np.mean([f.before for f in feet], axis=0), np.mean([f.after for f in feet], axis=0)]
+
+
+def _rms(values: Floats) -> Floats:
+    return np.asarray(np.sqrt(np.mean(values**2, axis=0)))

@@ -1,0 +1,72 @@
+"""The report of a shot that was solved: one page, and its pictures as files."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from usdmotion.errors import FileError
+from usdmotion.plugins import host
+from usdmotion.report.findings import Findings, findings_of
+from usdmotion.report.page import Chapter, page
+from usdmotion.report.pictures import drawing, pictures_of, postures_of, require_matplotlib
+from usdmotion.terminal import write_bytes, write_text
+
+__all__ = ["report", "require_matplotlib"]
+
+
+def report(
+    result: Path,
+    output: Path,
+    *,
+    shot: Path | None = None,
+    png: Path | None = None,
+    say: Callable[[str], None] = lambda _: None,
+) -> tuple[Findings, ...]:
+    """Write the report of what a stage, or a layer of results, shows.
+
+    Everything in it is measured from the motion in the result. The same inputs give the same bytes.
+
+    Args:
+        result: A stage on which results are, or a layer that `solve` wrote.
+        output: The file of HTML.
+        shot: The shot under the layer; None finds it beside it, as `usd.read_outcomes` says.
+        png: The folder into which the pictures are written as well, made where it is missing.
+        say: Is told what is being done.
+
+    Returns:
+        What it tells, scene by scene.
+
+    Raises:
+        InputError: The result cannot be read, the report not be written, or matplotlib is missing.
+    """
+    from usdmotion import usd
+
+    require_matplotlib()
+    say(f"reading {result}")
+    outcomes = usd.read_outcomes(result, shot=shot, kinds=host().constraints)
+    say("measuring")
+    findings = tuple(findings_of(outcome) for outcome in outcomes)
+    say("drawing")
+    with drawing():
+        chapters = [
+            Chapter(found, edit, pictures_of(found, edit), list(postures_of(outcome, found, edit)))
+            for outcome, found in zip(outcomes, findings, strict=True)
+            for edit in found.edits
+        ]
+        if png is not None:
+            _write_pictures(chapters, png)
+        write_text(page(result.name, chapters), str(output))
+    return findings
+
+
+def _write_pictures(chapters: list[Chapter], folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise FileError(f"{folder}: cannot be made: {error.strerror}") from error
+    leaves = [chapter.edit.edit.path.rsplit("/", 1)[-1] for chapter in chapters]
+    for chapter, leaf in zip(chapters, leaves, strict=True):
+        path = chapter.edit.edit.path
+        name = leaf if leaves.count(leaf) == 1 else path.strip("/").replace("/", "_")
+        drawn = [each for group in chapter.pictures.values() for each in group]
+        for picture in (*drawn, *chapter.frames):
+            write_bytes(picture.png(), folder / f"{name}.{picture.name}.png")
