@@ -103,8 +103,6 @@ def _mark(axes: "Axes", mark: Mark, camera: Camera) -> Floats:
 
 def _names(axes: "Axes", marks: Sequence[Mark], camera: Camera) -> None:
     """Name what is missed or has a goal, each beside its mark and none over another."""
-    from matplotlib.patheffects import withStroke
-
     named = [mark for mark in marks if mark.stands_out]
     places = [camera.flat(m.place if m.wanted is None else m.wanted) for m in named]
     low, high = axes.get_ylim()
@@ -124,7 +122,7 @@ def _names(axes: "Axes", marks: Sequence[Mark], camera: Camera) -> None:
             color=INK,
             fontsize=8.5,
             weight="bold",
-            path_effects=[withStroke(linewidth=2.5, foreground="white")],
+            bbox={"facecolor": "white", "alpha": 0.75, "linewidth": 0.0, "pad": 0.6},
             zorder=10,
         )
 

@@ -68,7 +68,7 @@ _MOST_SAMPLES = 1200
 
 
 _PATH = re.compile(' d="[^"]*"')
-_LONG = re.compile(r"(\.\d\d)\d+")
+_LONG = re.compile(r"(\.\d)\d+")
 _INDENTED = re.compile(r"(?<=\n) +")
 _OUTSIDE = re.compile(r'<metadata>.*?</metadata>|<style.*?</style>|(?<=<g) id="[^"]*"', re.DOTALL)
 """What a picture says of itself, and what it says to the whole page that it stands in."""
@@ -98,7 +98,7 @@ class Picture:
         drawn = _saved(self.figure, "svg", {"Date": None, "Creator": None}).decode()
         wide, tall = 72.0 * self.figure.get_size_inches()
         inside = _OUTSIDE.sub("", drawn[drawn.index(">", drawn.index("<svg")) + 1 :])
-        # A hundredth of a point cannot be seen, and makes a third of the page.
+        # Less than a tenth of a point cannot be seen, and makes half of the page.
         inside = _PATH.sub(lambda path: _LONG.sub(r"\1", path.group()), inside)
         inside = inside.replace("'DejaVu Sans'", "'DejaVu Sans', Verdana, sans-serif")
         return (
