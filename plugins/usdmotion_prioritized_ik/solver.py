@@ -40,7 +40,7 @@ class PrioritizedIK:
         0.5, "How fast joints return to their input angles, per iteration.", minimum=0, maximum=1
     )
     root: float = option(
-        0.0, "How fast the root returns to its input position, per iteration.", minimum=0, maximum=1
+        0.2, "How fast the root returns to its input position, per iteration.", minimum=0, maximum=1
     )
     damping: float = option(1e-4, "Smallest damping of a level [m].", minimum=1e-9)
     curvature: float = option(
