@@ -118,6 +118,16 @@ class Solved:
         turns = self.before.turn(name).inv() * self.after.turn(name)
         return float(np.degrees(over(turns.magnitude())))
 
+    @property
+    def mean_change(self) -> str:
+        """What was asked, and how far those joints turned on average that turned at all."""
+        (edit,) = self.report.edits
+        asked = ", ".join(each.path.rsplit("/", 1)[-1] for each in edit.constraints)
+        turned = [self.turned(joint, np.mean) for joint in self.before.joints]
+        changed = [each for each in turned if each > 0.0]
+        mean = np.mean(changed or 0.0)
+        return f"<{edit.path}> {asked}: {len(changed)} joints turned by {mean:.2f} degrees"
+
 
 Solve = Callable[..., Solved]
 
@@ -129,7 +139,7 @@ def taken() -> Callable[[Usd.Stage, str, Floats], Take]:
 
 
 @pytest.fixture(scope="session")
-def solve(tmp_path_factory: pytest.TempPathFactory) -> Solve:
+def solve(tmp_path_factory: pytest.TempPathFactory, tell: Callable[[str], None]) -> Solve:
     """Return what solves a stage and looks at the composed answer, at the solved times."""
 
     def run(shot: Path, skeleton: str, **options: object) -> Solved:
@@ -143,12 +153,10 @@ def solve(tmp_path_factory: pytest.TempPathFactory) -> Solve:
         if "frames" in options:
             first, last = options["frames"]
             times = times[(times >= first) & (times <= last)]
-        return Solved(
-            Take.of(Usd.Stage.Open(str(shot)), skeleton, times),
-            Take.of(stage, skeleton, times),
-            report,
-            edit,
-        )
+        before = Take.of(Usd.Stage.Open(str(shot)), skeleton, times)
+        solved = Solved(before, Take.of(stage, skeleton, times), report, edit)
+        tell(solved.mean_change)
+        return solved
 
     return run
 

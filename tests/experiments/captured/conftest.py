@@ -252,12 +252,11 @@ def clip(request: pytest.FixtureRequest, imported) -> Captured:
 
 
 @pytest.fixture(scope="session")
-def ask(asked, solve, tell):
+def ask(asked, solve):
     """Return what asks something of a clip, solves it, and holds the answer to what holds always.
 
     Joints that nothing recruits equal the input, and the knees of the sides that are said turn
-    faster than the input's fastest by two degrees a frame at most. How far the recruited joints
-    turned on average is told.
+    faster than the input's fastest by two degrees a frame at most.
     """
 
     def run(clip: Captured, constraints: Sequence[Constraint], *, knees="lr", **options):
@@ -269,12 +268,6 @@ def ask(asked, solve, tell):
         assert np.array_equal(solved.after.local[:, still], solved.before.local[:, still])
         pops = {side: solved.pops(clip.token(f"{side}_knee")) for side in "lr"}
         assert all(pops[side] <= 2.0 for side in knees), pops
-        turned = [solved.turned(joint, np.mean) for joint in solved.before.joints if joint in moves]
-        names = "/".join(each.path for each in constraints)
-        tell(
-            f"{clip.shot.stem}, {names}: {len(turned)} joints recruited, turned on average by "
-            f"{np.mean(turned or 0.0):.2f} degrees, knees {max(pops.values()):+.2f} degrees a frame"
-        )
         return solved
 
     return run
