@@ -68,7 +68,7 @@ def test_what_is_solved_again_is_what_a_whole_solve_finds(x: float, new: float) 
         assert np.array_equal(again, getattr(whole, name)[solved]), name
     behind = slice(solved.stop, None)
     apart = np.abs(kept.during(behind).rotations - whole.rotations[behind])
-    assert apart.max() <= 100.0 * MET
+    assert apart.max() <= 10.0 * MET
     assert np.array_equal(kept.rotations[: frames.start], whole.rotations[: frames.start])
 
 

@@ -8,7 +8,7 @@ from usdmotion.constraints import Goal, PositionConstraint
 from usdmotion.measuring import measure
 from usdmotion.motion import Motion
 from usdmotion.plugins import host
-from usdmotion.smoothing import enforced, low_pass, smoothed
+from usdmotion.smoothing import enforced, low_pass, reach, smoothed, winds
 from usdmotion.solving import Problem
 from usdmotion.testing import arm_scene
 
@@ -68,6 +68,34 @@ def test_uneven_samples_are_filtered_as_even_ones_are() -> None:
 def test_a_cutoff_above_what_the_samples_hold_changes_nothing() -> None:
     values = np.random.default_rng(2).normal(size=(121, 3))
     assert low_pass(TIMES, values, 12.0) is values
+
+
+def test_what_is_out_of_reach_does_not_change_a_frame() -> None:
+    values = np.random.default_rng(4).normal(size=(121, 2))
+    width = reach(TIMES, 3.0)
+    for moved in range(0, 121, 7):
+        other = np.array(values)
+        other[moved] += 1.0
+        apart = np.abs(low_pass(TIMES, other, 3.0) - low_pass(TIMES, values, 3.0)).max(axis=1)
+        near = np.abs(np.arange(121) - moved) <= width
+        assert apart[~near].max() < 1e-12 < apart[near].max()
+    part = slice(30, 90)
+    inner, whole = low_pass(TIMES[part], values[part], 3.0), low_pass(TIMES, values, 3.0)[part]
+    assert np.abs(inner - whole)[width:-width].max() < 1e-12
+
+
+def test_uneven_frames_are_all_within_reach_and_none_where_nothing_is_filtered() -> None:
+    uneven = TIMES + 0.01 * np.sin(TIMES)
+    assert reach(uneven, 3.0) == len(uneven)
+    assert reach(TIMES, 12.0) == 0
+
+
+def test_a_displacement_winds_where_it_turns_by_more_than_half_a_turn() -> None:
+    still = Motion(TIMES, np.zeros((121, 1, 3)), np.tile((0.0, 0.0, 0.0, 1.0), (121, 1, 1)))
+    for most, wound in ((0.9 * np.pi, False), (1.1 * np.pi, True)):
+        angles = np.linspace(0.0, most, 121)
+        turns = Rotation.from_rotvec(angles[:, None] * (0.0, 1.0, 0.0)).as_quat()[:, None]
+        assert winds(still, Motion(TIMES, still.translations, turns)) == wound
 
 
 def test_a_displacement_of_a_whole_turn_does_not_jump() -> None:

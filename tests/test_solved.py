@@ -133,6 +133,21 @@ def test_every_change_ends_where_a_solve_from_scratch_does(name: str, smoothing:
         assert same(again, whole, slice(0, frames.stop))
 
 
+def test_with_a_filter_over_uneven_frames_every_frame_is_solved_again() -> None:
+    def uneven(scene: Scene) -> Scene:
+        (character,) = scene.characters
+        times = character.motion.times + 0.002 * np.sin(character.motion.times)
+        return replace(
+            scene, characters=(replace(character, motion=replace(character.motion, times=times)),)
+        )
+
+    scene = uneven(smooth(reaching()))
+    solved, after = SolvedScene(scene, SOLVER), dragged(scene, "left", 0.2)
+    frames = solved.become(after)
+    assert (frames.start, frames.stop) == (0, COUNT)
+    assert max(apart(scene, solved.solution, SolvedScene(after, SOLVER).solution)) < 1e-3
+
+
 def test_a_goal_reaches_few_frames_behind_it() -> None:
     scene = reaching()
     frames = SolvedScene(scene, SOLVER).become(dragged(scene, "left", 0.2))

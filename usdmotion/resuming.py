@@ -3,15 +3,17 @@
 What a frame becomes is decided by what is asked on it and by what its solve is handed from the
 frame before: the displacement of the pose from the input, and what `Solution.carried` says. So a
 solve that goes on from a frame that was kept finds, to the last bit, what a solve of the whole clip
-would. Behind the frames that ask for something else both solves ask for the same, and both draw the
-posture to the same input, so that what they hand on becomes the same, by a factor ρ < 1 a frame:
-reaching has 1/4. Where the difference is below `MET` they have met, and what follows stands.
+would. Behind the frames that ask for something else both solves ask for the same and draw the
+posture to the same input, so that what they hand on becomes the same, in reaching four times nearer
+from frame to frame, until neither moves any more. Where the difference is below `MET` they have
+met, and what follows stands.
 
-How far that is from a solve of the whole clip: by MET at first, and less from frame to frame. What
-was kept may have met an earlier one in its turn, so that after any number of changes the error is
-at most the sum MET / (1 − ρ): a micrometre a metre away at ρ = 0.999. Where a difference as small
-as that decides how often a frame iterates, it grows for once to what a settled frame may be off by
-anyway, and falls again.
+How far that is from a solve of the whole clip: by MET at first, and no more later on, because what
+stands are answers to what is asked still, and frames draw such answers together. That holds after
+any number of changes: each of them finds its frames anew, and lets nothing stand that is further
+off than MET where it meets it. A tenth of a micrometre, and of a part of a quaternion, is what
+single precision rounds off when it is written. Where so little decides how often a frame iterates,
+it grows for once to what a settled frame may be off by anyway, and falls again.
 """
 
 from collections.abc import Callable, Iterator
@@ -26,11 +28,13 @@ from usdmotion.changes import hull
 from usdmotion.scene import Scene
 from usdmotion.solving import Problem, Solution, Solver
 
-MET = 1e-9
-"""Largest difference of two poses that have met: of positions [m], of parts of quaternions."""
+MET = 1e-7
+"""Largest difference of two poses that have met: of positions [m], of parts of quaternions.
+
+Well above the last digit of a task, which solvers take for none."""
 _PIECE = 1024
 """Most frames whose problem is posed at a time."""
-_AHEAD = 32
+_AHEAD = 16
 """How many frames are posed at a time where it is not known how many will be solved."""
 
 _COLUMNS = ("translations", "rotations", "iterations", "stops")
@@ -152,11 +156,20 @@ def met(one: Solution, other: Solution) -> bool:
 def _pieces(pose: Pose, frames: slice, count: int) -> Iterator[tuple[slice, Problem]]:
     """Yield what to solve bit by bit, each with the frame before it as the first of its problem."""
     for start in range(frames.start, frames.stop, _PIECE):
-        stop = min(start + _PIECE, frames.stop)
-        yield slice(start, stop), pose(slice(max(start - 1, 0), stop))
-    for start in range(frames.stop, count, _AHEAD):
+        stop, before = min(start + _PIECE, frames.stop), max(start - 1, 0)
+        ahead = _AHEAD if stop == frames.stop else 0
+        seen = min(stop + ahead, count)
+        window = pose(slice(before, seen))
+        yield slice(start, stop), window.during(slice(0, stop - before))
+        yield from _frame_by_frame(window, before, slice(stop, seen))
+    for start in range(frames.stop + _AHEAD, count, _AHEAD):
         stop = min(start + _AHEAD, count)
         window = pose(slice(start - 1, stop))
-        for frame in range(start, stop):
-            inside = slice(frame - start, frame - start + 2)
-            yield slice(frame, frame + 1), window.during(inside)
+        yield from _frame_by_frame(window, start - 1, slice(start, stop))
+
+
+def _frame_by_frame(window: Problem, first: int, frames: slice) -> Iterator[tuple[slice, Problem]]:
+    """Yield each of some frames of a problem that begins with a frame before them."""
+    for frame in range(frames.start, frames.stop):
+        inside = slice(frame - 1 - first, frame + 1 - first)
+        yield slice(frame, frame + 1), window.during(inside)
