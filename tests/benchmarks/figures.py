@@ -18,15 +18,26 @@ for _library in ("OPENBLAS", "MKL", "OMP"):
 
 import numpy as np  # noqa: E402
 from pxr import Sdf, Usd, Vt  # noqa: E402
-from reaching import OUT_OF_REACH, four_levels, reaching, twelve_points, unlimited  # noqa: E402
+from reaching import (  # noqa: E402
+    OUT_OF_REACH,
+    WITHIN_REACH,
+    dragged,
+    four_levels,
+    reaching,
+    reaching_for,
+    twelve_points,
+    unlimited,
+)
 from rich.console import Console  # noqa: E402
 from rich.table import Table  # noqa: E402
 
 from usdmotion import Motion, Problem, usd  # noqa: E402
+from usdmotion.arrays import Floats  # noqa: E402
 from usdmotion.demos.gait import Walk, walk  # noqa: E402
 from usdmotion.demos.walker import FIRST, RATE, SKELETON  # noqa: E402
 from usdmotion.options import configured  # noqa: E402
 from usdmotion.plugins import host  # noqa: E402
+from usdmotion.solved import SolvedScene  # noqa: E402
 
 AIM_OF_AN_ITERATION = 10e-6 / 97e-3
 """Ten microseconds where forty products of two 400 × 400 matrices take 97 ms."""
@@ -88,6 +99,10 @@ def solving(small: bool) -> list[Figure]:
             1.0,
         ),
         hour(10.0 if small else 3600.0),
+        drags(6.0, 40, WITHIN_REACH, ""),
+        drags(6.0, 60, WITHIN_REACH, ""),
+        drags(6.0, 60, OUT_OF_REACH, ", out of reach"),
+        drags(10.0 if small else 3600.0, 60, WITHIN_REACH, ""),
     ]
 
 
@@ -117,6 +132,24 @@ def hour(seconds: float) -> Figure:
     return Figure(
         what, least(lambda: solver.solve(problem), 1), "its own length", seconds, 10 / 3600
     )
+
+
+def drags(seconds: float, frames: int, offset: Floats, what: str) -> Figure:
+    """Return what the drag of one goal takes, in the middle of some, from the event to poses."""
+    walking = walk(seconds)
+    solved = SolvedScene(reaching_for(walking, offset, frames), host().solver("prioritized_ik")())
+    ways = np.random.default_rng(0).normal(scale=0.02, size=(12, 3))
+
+    def drag(way: Floats) -> float:
+        start = perf_counter()
+        reached = solved.become(dragged(solved.scene, offset + way))
+        solved.motion(SKELETON, reached)
+        return perf_counter() - start
+
+    _, *took = map(drag, ways)
+    count = walking.motion.frame_count
+    what = f"drag of a goal, {frames} of {count} frames{what}"
+    return Figure(what, sorted(took)[len(took) // 2], "a frame at 60 Hz", 1 / 60, 0.016 * 60)
 
 
 def bare_write(path: Path, joints: list[str], codes: list[float], arrays: list[np.ndarray]) -> None:

@@ -27,11 +27,38 @@ def character(walking: Walk) -> Character:
     return Character(SKELETON, walking.skeleton, walking.body, walking.motion, space, 0)
 
 
-def problem(walking: Walk, constraints: Sequence[Constraint]) -> Problem:
-    """Return the problem of one edit of a walker."""
+def scene(walking: Walk, constraints: Sequence[Constraint]) -> Scene:
+    """Return the scene of one edit of a walker."""
     codes = np.arange(walking.motion.frame_count)
     edit = Edit(f"{SKELETON}/Edit", SKELETON, tuple(constraints))
-    return Problem.of(Scene((character(walking),), (edit,), codes, np.array([0.0, 1.0, 0.0])))
+    return Scene((character(walking),), (edit,), codes, np.array([0.0, 1.0, 0.0]))
+
+
+def problem(walking: Walk, constraints: Sequence[Constraint]) -> Problem:
+    """Return the problem of one edit of a walker."""
+    return Problem.of(scene(walking, constraints))
+
+
+def dragged(solved: Scene, offset: Floats) -> Scene:
+    """Return the scene of `reaching_for` with the goal elsewhere; all else is the same object."""
+    (edit,) = solved.edits
+    *planted, wrist, center = edit.constraints
+    (goal,) = wrist.goals
+    there = replace(wrist, goals=(replace(goal, translation=offset),))
+    return replace(solved, edits=(replace(edit, constraints=(*planted, there, center)),))
+
+
+def reaching_for(walking: Walk, offset: Floats, frames: int) -> Scene:
+    """Return the scene of `reaching` with a goal that has a part on so many frames."""
+    middle, step = walking.motion.frame_count // 2, walking.motion.times[1]
+    goal = Goal(
+        mode="offset",
+        translation=offset,
+        times=tuple(step * (middle + frames * share) for share in (-0.5, -0.1, 0.1, 0.5)),
+    )
+    wrist = moved(walking, "LeftHand", offset, priority=2)
+    wrist = replace(wrist, goals=(goal,))
+    return scene(walking, [*feet(walking, priority=1), wrist, balance(priority=3)])
 
 
 def reaching(walking: Walk, offset: Floats = WITHIN_REACH) -> Problem:
