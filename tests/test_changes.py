@@ -45,6 +45,21 @@ def test_a_goal_that_is_moved_in_time_reaches_from_where_it_was_to_where_it_is()
     assert reached([WRIST], [with_goal(times=(0.5, 0.7, 1.3, 1.5))]) == (22, 36)
 
 
+def test_a_constraint_that_recruits_a_limited_joint_reaches_where_the_input_is_beyond() -> None:
+    def limited(constraints: list[Constraint], degrees: float) -> Scene:
+        scene = arm_scene(constraints, frame_count=COUNT)
+        (arm,) = scene.characters
+        most = np.array(arm.body.limits_max)
+        most[1, 2] = degrees
+        return replace(scene, characters=(replace(arm, body=replace(arm.body, limits_max=most)),))
+
+    late = replace(ELBOW, times=(1.0, 1.5))
+    cast = limited([], 22.8).cast
+    assert np.flatnonzero(cast.beyond_limits(cast.rotations).any(axis=1)).tolist() == [6, 30]
+    assert changed(limited([], 22.8), limited([late], 22.8)) == slice(6, 37)
+    assert changed(limited([], 23.0), limited([late], 23.0)) == slice(24, 37)
+
+
 def test_a_goal_reaches_no_further_than_its_constraint() -> None:
     short = replace(WRIST, times=(0.75, 0.8))
     moved = replace(short, goals=(replace(GOAL, translation=np.ones(3)),))

@@ -9,7 +9,7 @@ import numpy as np
 from usdmotion.arrays import Bools, Floats, Ints, seal
 from usdmotion.errors import SceneError
 from usdmotion.humanoid import PartMap
-from usdmotion.kernels import forward
+from usdmotion.kernels import beyond_limits, forward, limit_boxes
 from usdmotion.motion import Body, Motion, Placement, Skeleton
 
 Joint = tuple[str, str]
@@ -169,6 +169,21 @@ class Cast:
                 + (f"; it has {', '.join(known[:6])}, …" if known else "")
             )
         return self.index[joint]
+
+    def beyond_limits(self, rotations: Floats) -> Floats:
+        """Return how far joints are beyond their limits, shape (frame_count, node_count) [degrees].
+
+        Args:
+            rotations: In the parent's frame, xyzw, shape (frame_count, node_count, 4).
+        """
+        limits = self.limits_min, self.limits_max
+        limited = np.flatnonzero(((limits[0] > -180.0) | (limits[1] < 180.0)).any(axis=1))
+        beyond = np.zeros(rotations.shape[:2])
+        if len(limited):
+            boxes = limit_boxes(*(each[limited] for each in limits))
+            rest = self.rest_rotations[limited]
+            beyond[:, limited] = np.degrees(beyond_limits(rotations[:, limited], rest, *boxes))
+        return beyond
 
     def chain(self, node: int) -> tuple[int, ...]:
         """Return a joint's node and its ancestors up to the solve's root, or to the top joint."""

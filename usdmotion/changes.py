@@ -78,9 +78,28 @@ def _asking(scene: Scene, old: Constraint | None, new: Constraint | None) -> sli
         for each in pair
     ]
     different = np.flatnonzero(_different(tables))
-    if len(different) == 0:
+    asking = slice(0, 0)
+    if len(different):
+        asking = slice(looked.start + int(different[0]), looked.start + int(different[-1]) + 1)
+    return hull([asking, _beyond_limits(scene, tables)])
+
+
+def _beyond_limits(scene: Scene, tables: list[TaskTable]) -> slice:
+    """Return the frames on which the input is beyond limits of what only one of two recruits.
+
+    A solver may keep them on every frame, as soon as any constraint recruits the joint.
+    """
+    recruits = [table.recruits.any(axis=0) for table in tables]
+    anew = recruits[0] ^ recruits[1] if len(recruits) == 2 else recruits[0]
+    if not anew.any():
         return slice(0, 0)
-    return slice(looked.start + int(different[0]), looked.start + int(different[-1]) + 1)
+    cast = Cast.of([each.during(slice(0, 1)) for each in scene.characters])
+    limited = ((cast.limits_min > -180.0) | (cast.limits_max < 180.0)).any(axis=1)
+    if not (anew & limited).any():
+        return slice(0, 0)
+    beyond = scene.cast.beyond_limits(scene.cast.rotations)[:, anew]
+    frames = np.flatnonzero(beyond.any(axis=1))
+    return slice(int(frames[0]), int(frames[-1]) + 1) if len(frames) else slice(0, 0)
 
 
 def _different(tables: list[TaskTable]) -> Bools:

@@ -75,6 +75,14 @@ class Body:
             limits_max=seal(self.limits_max, count, 3, name="limits_max"),
             stiffness=seal(self.stiffness, count, name="stiffness"),
         )
+        ordered = self.limits_min <= self.limits_max
+        turns = (self.limits_min <= 360.0) & (self.limits_max >= -360.0)
+        for joint in np.flatnonzero(~(ordered & turns).all(axis=1)):
+            raise SceneError(
+                f"the limits of joint {joint} leave it no angle: from {self.limits_min[joint]} to "
+                f"{self.limits_max[joint]} degrees; give lower ones that are not above the upper "
+                "ones, and within a whole turn"
+            )
 
     @classmethod
     def unknown(cls, joint_count: int) -> "Body":

@@ -4,7 +4,9 @@ from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from usdmotion.arrays import Floats, seal
+import numpy as np
+
+from usdmotion.arrays import Bools, Floats, seal
 from usdmotion.cast import Cast, Character
 from usdmotion.constraints import Constraint, during
 from usdmotion.tasks import Demand
@@ -45,6 +47,8 @@ class Scene:
     """Time code of each frame, shape (frame_count,); seconds are in the motions."""
     up: Floats
     """The direction away from the ground, shape (3,)."""
+    moved: Bools | None = None
+    """Of a part of a clip: what constraints recruit on any frame of it, shape (node_count,)."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "time_codes", seal(self.time_codes, None, name="time_codes"))
@@ -70,6 +74,17 @@ class Scene:
         """What each constraint asks for, parallel to `constraints`."""
         return tuple(constraint.demand(self.cast) for constraint in self.constraints)
 
+    @cached_property
+    def recruited(self) -> Bools:
+        """Which nodes some constraint may move, on any frame of the clip, shape (node_count,)."""
+        if self.moved is not None:
+            return self.moved
+        cast = Cast.of([each.during(slice(0, 1)) for each in self.characters])
+        recruited = np.zeros(cast.node_count, dtype=np.bool_)
+        for each in self.constraints:
+            recruited[list(each.recruited(cast))] = True
+        return recruited
+
     def during(self, frames: slice) -> "Scene":
         """Return the scene on some of its frames, with the constraints that can matter there.
 
@@ -81,6 +96,7 @@ class Scene:
             characters=tuple(each.during(frames) for each in self.characters),
             edits=tuple(each.during(frames, kept) for each in self.edits),
             time_codes=self.time_codes[frames],
+            moved=self.recruited,
         )
 
     def character(self, path: str) -> Character:

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from usdmotion import limits
 from usdmotion.changes import changed, same_levels
 from usdmotion.constraints import Constraint
 from usdmotion.mending import broken, mended, sentence
@@ -112,8 +113,14 @@ class SolvedScene:
     def notes(self) -> tuple[str, ...]:
         """One sentence about each thing in the scene or its solution that should be known."""
         scene = self.posed
-        unsettled = _unsettled(scene, self.solution)
-        return (*scene.notes, *unsettled, *map(sentence, broken(scene)))
+        solution, names = self.solution, _names(scene)
+        beyond = limits.sentences(scene, solution, self.solver.name)
+        return (
+            *scene.notes,
+            *_unsettled(scene, solution),
+            *(f"{names}: {each}" for each in beyond),
+            *map(sentence, broken(scene)),
+        )
 
     def _mended(self, scene: Scene) -> Scene:
         """Return what is solved; constraints that stay what they were stay the same objects."""
@@ -137,11 +144,14 @@ def _unsettled(scene: Scene, solution: Solution) -> Iterator[str]:
     """Yield what there is to say where a solve was left before it came to rest."""
     frames = int((solution.stops == STOPS.index("iteration limit")).sum())
     if frames:
-        names = ", ".join(edit.path for edit in scene.edits)
         yield (
-            f"{names}: {frames} of {len(solution.stops)} frames were left at the iteration limit, "
-            "still moving"
+            f"{_names(scene)}: {frames} of {len(solution.stops)} frames were left at the iteration "
+            "limit, still moving"
         )
+
+
+def _names(scene: Scene) -> str:
+    return ", ".join(edit.path for edit in scene.edits)
 
 
 def _apart(one: Kept, other: Kept) -> slice:

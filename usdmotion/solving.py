@@ -1,6 +1,6 @@
 """The contract between a scene and whatever solves it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import ClassVar, Protocol, runtime_checkable
 
@@ -27,20 +27,28 @@ class Problem:
     known: "Solution | None" = None
     """What was found on the first frames, at least one, which are not to be solved; None solves
     all. Only a solver that resumes is given it."""
+    moved: Bools | None = None
+    """Which nodes constraints may move on any frame of the clip that this is a part of, shape
+    (node_count,); None: those of the table."""
 
     @classmethod
     def of(cls, scene: Scene) -> "Problem":
         """Return the problem that a scene poses."""
         cast = scene.cast
-        return cls(cast, tabulate(scene.demands, cast.frame_count, cast.node_count))
+        table = tabulate(scene.demands, cast.frame_count, cast.node_count)
+        return cls(cast, table, moved=scene.recruited)
 
     def during(self, frames: slice, known: "Solution | None" = None) -> "Problem":
         """Return what is asked on some of the frames, the first of which may be known."""
-        return Problem(self.cast.during(frames), self.table.during(frames), known)
+        return replace(
+            self, cast=self.cast.during(frames), table=self.table.during(frames), known=known
+        )
 
     @cached_property
     def recruited(self) -> Bools:
-        """Which nodes any task may move, shape (node_count,)."""
+        """Which nodes may be moved on any frame of the clip, shape (node_count,)."""
+        if self.moved is not None:
+            return self.moved
         return np.asarray(self.table.recruits.any(axis=0), dtype=np.bool_)
 
 
@@ -90,7 +98,9 @@ class Solver(Protocol):
     def solve(self, problem: Problem) -> Solution:
         """Return the motion that meets the tasks as their ranks say.
 
-        Nodes that no active task recruits keep the input; a target out of reach is no error.
+        Nodes that no active task recruits keep the input, but for limits of joints, which a solver
+        may keep on every frame of those that any task recruits; the host says where it does not.
+        A target out of reach is no error.
         """
         ...
 

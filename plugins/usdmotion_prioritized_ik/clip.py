@@ -12,7 +12,8 @@ def solve_clip(parts: Parts, solve_levels: SolveLevels, converge: Converge, firs
 
     Where the frames before `first` are known, the pose is that of the last of them.
     """
-    motion, given, table, settings, pose, saved, carried, asked, stack = parts
+    motion, given, table, settings, pose, saved, carried, asked = parts[:8]
+    stack, limits, bounds, holding, descend = parts[8:]
     work = Work(
         reference(motion),
         reference(given),
@@ -23,6 +24,10 @@ def solve_clip(parts: Parts, solve_levels: SolveLevels, converge: Converge, firs
         reference(carried),
         reference(asked),
         reference(stack),
+        reference(limits),
+        reference(bounds),
+        reference(holding),
+        descend,
     )
     if first > 0:
         _take_up(work, first - 1)

@@ -4,8 +4,10 @@ import math
 
 from usdmotion import Floats
 from usdmotion.kernels import Kind, is_slack, shared, summing, task_error, task_rows
+from usdmotion_prioritized_ik.bounds import room
+from usdmotion_prioritized_ik.limits import bound_turns
 from usdmotion_prioritized_ik.posture import largest_turn, move, preserve
-from usdmotion_prioritized_ik.stack import add, descend, dot, remove_spanned
+from usdmotion_prioritized_ik.rows import add, dot
 from usdmotion_prioritized_ik.state import Work
 
 ROTATION = int(Kind.ROTATION)
@@ -44,7 +46,17 @@ def converge(work: Work, frame: int, levels: int, most: int, posture: bool, shar
             done = preserve(work, frame) < EXACT and done
         if done or spent == most:
             return spent
-        descend(work.stack, levels, settings.damping, settings.curvature, settings.rank)
+        bound_turns(work)
+        work.descend(
+            work.stack,
+            work.bounds,
+            work.holding,
+            levels,
+            posture,
+            settings.damping,
+            settings.curvature,
+            settings.rank,
+        )
         turn, taken = _advance(work, levels, posture, share, taken)
         if posture and change < settings.error_change and turn < settings.posture_change:
             return spent + 1
@@ -60,17 +72,16 @@ def _advance(
     Near a solution only the posture still moves, as far as its steps have shown to be right: along
     bent constraints it can go to and fro without end, or creep.
     """
-    stack, pull, length = work.stack[0], work.pose[0].preserving, 1.0
+    stack, length = work.stack[0], 1.0
     width = stack.widths[levels - 1]
     if posture:
-        remove_spanned(work.stack, levels, pull)
-        add(stack.step, pull, 1.0, width)
         length = _length(stack.step, stack.before, taken, width)
         if taken == 0.0 or worst(work, levels) > NEAR:
             length = 1.0
     turn, longer = largest_turn(work), max(length, 1.0)
     if longer > 1.0:
-        add(stack.step, pull, longer - 1.0, width)
+        longer = 1.0 + room(work.bounds, stack.step, stack.pull, longer - 1.0)
+        add(stack.step, stack.pull, longer - 1.0, width)
     made = min(share, length, work.settings[0].turn_limit / max(longer * turn, 1e-12))
     move(work, made)
     return turn, made * longer

@@ -13,6 +13,7 @@ from usdmotion.kernels.quaternions import (
     turned,
     unit,
 )
+from usdmotion_prioritized_ik.limits import keep_within
 from usdmotion_prioritized_ik.state import Work
 
 
@@ -65,6 +66,7 @@ def start(work: Work, frame: int, carry: int) -> None:
             pose.translations[node, axis] = motion.translations[frame, node, axis]
             if moves and given.translates[node]:
                 pose.translations[node, axis] += carried.translations[carry, node, axis]
+    keep_within(work)
     place_all(work)
 
 
@@ -96,6 +98,7 @@ def preserve(work: Work, frame: int) -> float:
     """
     motion = work.motion[0]
     given, pose, settings = work.given[0], work.pose[0], work.settings[0]
+    pull = work.stack[0].pull
     largest = 0.0
     for node in range(given.parents.shape[0]):
         column = pose.columns[node]
@@ -106,7 +109,7 @@ def preserve(work: Work, frame: int) -> float:
         turn = rotation_vector(product(wanted, inverse(quaternion_at(pose.rotations, node))))
         turn = turned(parent, turn)
         for axis in range(3):
-            pose.preserving[column + axis] = settings.posture * turn[axis]
+            pull[column + axis] = settings.posture * turn[axis]
             largest = max(largest, abs(settings.posture * turn[axis]))
         if given.translates[node]:
             x = motion.translations[frame, node, 0] - pose.translations[node, 0]
@@ -114,7 +117,7 @@ def preserve(work: Work, frame: int) -> float:
             z = motion.translations[frame, node, 2] - pose.translations[node, 2]
             way = turned(parent, (x, y, z))
             for axis in range(3):
-                pose.preserving[column + 3 + axis] = settings.root * way[axis]
+                pull[column + 3 + axis] = settings.root * way[axis]
                 largest = max(largest, abs(settings.root * way[axis]))
     return largest
 
@@ -150,6 +153,7 @@ def move(work: Work, scale: float) -> None:
             way = turned(back, (step[column + 3], step[column + 4], step[column + 5]))
             for axis in range(3):
                 pose.translations[node, axis] += scale * way[axis]
+    keep_within(work)
     place_all(work)
 
 

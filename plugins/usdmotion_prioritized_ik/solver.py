@@ -7,14 +7,19 @@ import numpy as np
 
 from usdmotion import Bools, Problem, Solution, option
 from usdmotion.kernels import apart
+from usdmotion_prioritized_ik.bounds import Bounds, make_bounds
 from usdmotion_prioritized_ik.clip import solve_clip
 from usdmotion_prioritized_ik.convergence import solve_levels
+from usdmotion_prioritized_ik.descent import Descend, descend
+from usdmotion_prioritized_ik.holding import Holding, make_holding
 from usdmotion_prioritized_ik.iteration import converge
-from usdmotion_prioritized_ik.stack import make_stack
+from usdmotion_prioritized_ik.limits import clamp, limits_of
+from usdmotion_prioritized_ik.stack import Stack, make_stack
 from usdmotion_prioritized_ik.state import (
     Asked,
     Carried,
     Given,
+    Limits,
     Motion,
     Parts,
     Pose,
@@ -71,8 +76,10 @@ class PrioritizedIK:
             carried=np.zeros((cast.frame_count, levels - 1, cast.node_count, 7)),
         )
         if problem.recruited.any():
+            limits = limits_of(problem)
+            clamp(motion.rotations, limits)
             settings = Settings(*(getattr(self, name) for name in Settings._fields))
-            parts = _parts(problem, settings, motion)
+            parts = _parts(problem, settings, limits, motion)
             first = _know(known, parts) if known else 0
             once = apart(converge, work=parts)
             solve_clip(parts, apart(solve_levels, work=parts, converge=once), once, first)
@@ -101,7 +108,7 @@ def _keep(known: Solution, motion: Motion) -> None:
     motion.stops[:count] = known.stops
 
 
-def _parts(problem: Problem, settings: Settings, motion: Motion) -> Parts:
+def _parts(problem: Problem, settings: Settings, limits: Limits, motion: Motion) -> Parts:
     """Return a solve's input, and room for all that it needs on the way."""
     cast, table, recruited = problem.cast, problem.table, problem.recruited
     nodes, tasks, levels = cast.node_count, len(table.kind), int(table.level[-1]) + 1
@@ -127,7 +134,6 @@ def _parts(problem: Problem, settings: Settings, motion: Motion) -> Parts:
             positions=np.zeros((nodes, 3)),
             orientations=np.zeros((nodes, 4)),
             columns=np.zeros(nodes, dtype=np.int64),
-            preserving=np.zeros(columns),
         ),
         Saved(np.zeros((nodes, 3)), np.zeros((nodes, 4))),
         Carried(flags(levels), np.zeros((levels, nodes, 3)), np.zeros((levels, nodes, 4))),
@@ -137,5 +143,19 @@ def _parts(problem: Problem, settings: Settings, motion: Motion) -> Parts:
             errors=np.zeros(tasks),
             block=np.zeros((3, columns)),
         ),
-        make_stack(3 * tasks, columns, levels),
+        *_descent(make_stack(3 * tasks, columns, levels, limits.low.size), limits),
+    )
+
+
+def _descent(stack: Stack, limits: Limits) -> tuple[Stack, Limits, Bounds, Holding, Descend]:
+    """Return what goes down the levels, and room for what holds it back."""
+    columns = len(stack.step)
+    bounds = make_bounds(limits.low.size, columns)
+    holding = make_holding(limits.low.size, columns)
+    return (
+        stack,
+        limits,
+        bounds,
+        holding,
+        apart(descend, stacked=stack, bounded=bounds, holder=holding),
     )

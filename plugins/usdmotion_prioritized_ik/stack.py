@@ -1,4 +1,4 @@
-"""One step of a stack of levels: each moves only where no level above it is disturbed.
+"""The linearized levels of one iteration, and the solution of each by itself.
 
 2004, section 3.2, with two changes. The projector is never formed: an orthonormal basis of the
 rows used so far takes its place. And only the inverse that moves is damped; the one that projects
@@ -11,24 +11,26 @@ from typing import NamedTuple
 import numpy as np
 
 from usdmotion import Floats, Ints
-from usdmotion.kernels import Reference, shared, summing
+from usdmotion.kernels import Reference, shared
+from usdmotion_prioritized_ik.bounds import Bounds
+from usdmotion_prioritized_ik.rows import add, dot, remove
 
 
 class Stack(NamedTuple):
-    """The linearized levels of one iteration, R rows over C columns at most."""
+    """The levels of one iteration: R rows over C columns at most, L levels, B bounds."""
 
     rows: Floats
-    """(R, C) weighted Jacobian rows, level by level; consumed by `descend`."""
+    """(R, C) weighted Jacobian rows, level by level; consumed by the descent."""
     errors: Floats
-    """(R,) weighted errors; consumed by `descend`."""
+    """(R,) weighted errors; consumed by the descent."""
     first_row: Ints
     """(L + 1,) the rows of level l are first_row[l] to first_row[l + 1]."""
     widths: Ints
     """(L,) the columns that the first levels move: the rows of level l end at widths[l]."""
     basis: Floats
-    """(R, C) orthonormal rows that span the projected rows of level l, from first_row[l] on."""
-    ranks: Ints
-    """(L,) how many they are."""
+    """(R + B, C) orthonormal rows: the projected rows of every level, and what holds it back."""
+    spans: Ints
+    """(L + 1,) those of level l are spans[l] to spans[l + 1]."""
     factor: Floats
     """(R, R) scratch: the projected rows of a level in terms of its basis, one basis row a line."""
     normal: Floats
@@ -39,12 +41,20 @@ class Stack(NamedTuple):
     """(R,) scratch: squared lengths of projected rows."""
     step: Floats
     """(C,) the step."""
+    pull: Floats
+    """(C,) what the posture adds to it: at first all that it would like, 2004's z."""
+    trial: Floats
+    """(C,) scratch: what one level would add to it."""
+    plain: Floats
+    """(R, C) scratch: the projected rows of a level that bounds hold back."""
+    asked: Floats
+    """(R,) scratch: its errors."""
     before: Floats
     """(C,) the whole step of the iteration before, posture included."""
 
 
-def make_stack(row_count: int, column_count: int, level_count: int) -> Stack:
-    """Return a stack with room for so many rows, columns and levels."""
+def make_stack(row_count: int, column_count: int, level_count: int, bound_count: int) -> Stack:
+    """Return a stack with room for so many rows, columns, levels and bounds."""
     square = (row_count, row_count)
     wide = (row_count, column_count)
     return Stack(
@@ -52,54 +62,23 @@ def make_stack(row_count: int, column_count: int, level_count: int) -> Stack:
         errors=np.zeros(row_count),
         first_row=np.zeros(level_count + 1, dtype=np.int64),
         widths=np.zeros(level_count, dtype=np.int64),
-        basis=np.zeros(wide),
-        ranks=np.zeros(level_count, dtype=np.int64),
+        basis=np.zeros((row_count + bound_count, column_count)),
+        spans=np.zeros(level_count + 1, dtype=np.int64),
         factor=np.zeros(square),
         normal=np.zeros(square),
         inner=np.zeros(row_count),
         norms=np.zeros(row_count),
         step=np.zeros(column_count),
+        pull=np.zeros(column_count),
+        trial=np.zeros(column_count),
+        plain=np.zeros(wide),
+        asked=np.zeros(row_count),
         before=np.zeros(column_count),
     )
 
 
 @shared
-def descend(
-    stacked: Reference[Stack], levels: int, damping: float, curvature: float, rank: float
-) -> None:
-    """Write the step of the first levels.
-
-    Args:
-        stacked: Its rows and errors are consumed.
-        levels: How many levels take part.
-        damping: Smallest damping λ₀ [m].
-        curvature: What the squared damping grows by, per metre of error [m].
-        rank: Shortest projected row that counts as independent [m].
-    """
-    stack = stacked[0]
-    for column in range(stack.step.shape[0]):
-        stack.step[column] = 0.0
-    for level in range(levels):
-        error = _subtract_done(stacked, level)
-        _orthogonalize(stacked, level, rank)
-        _solve(stacked, level, damping * damping + curvature * error)
-        first = stack.first_row[level]
-        for index in range(stack.ranks[level]):
-            add(stack.step, stack.basis[first + index], stack.inner[index], stack.widths[level])
-
-
-@shared
-def remove_spanned(stacked: Reference[Stack], levels: int, vector: Floats) -> None:
-    """Take from a vector all that would disturb the first levels: v ← N v."""
-    stack = stacked[0]
-    for level in range(levels):
-        first = stack.first_row[level]
-        for index in range(first, first + stack.ranks[level]):
-            remove(vector, stack.basis[index], stack.widths[level])
-
-
-@shared
-def _subtract_done(stacked: Reference[Stack], level: int) -> float:
+def subtract_done(stacked: Reference[Stack], bounded: Reference[Bounds], level: int) -> float:
     """e_i − J_i Δ_{i−1} and J_i N_{i−1}, in place; return the length of the error."""
     stack = stacked[0]
     width = stack.widths[level]
@@ -107,47 +86,70 @@ def _subtract_done(stacked: Reference[Stack], level: int) -> float:
     for row in range(stack.first_row[level], stack.first_row[level + 1]):
         if level > 0:
             stack.errors[row] -= dot(stack.rows[row], stack.step, width)
-            remove_spanned(stacked, level, stack.rows[row])
+        remove_spanned(stacked, bounded, level, stack.rows[row])
         square += stack.errors[row] * stack.errors[row]
-        stack.norms[row] = dot(stack.rows[row], stack.rows[row], width)
     return math.sqrt(square)
 
 
 @shared
-def _orthogonalize(stacked: Reference[Stack], level: int, rank: float) -> None:
-    """Find a basis of the level's rows, longest first; dependent ones are dropped."""
+def remove_spanned(
+    stacked: Reference[Stack], bounded: Reference[Bounds], levels: int, vector: Floats
+) -> None:
+    """Take from a vector all that would disturb the first levels: v ← N v."""
+    stack, bounds = stacked[0], bounded[0]
+    for index in range(bounds.barred_size[0]):
+        column, barred = bounds.barred_column[index], bounds.barred[index]
+        along = 0.0
+        for axis in range(3):
+            along += vector[column + axis] * barred[axis]
+        for axis in range(3):
+            vector[column + axis] -= along * barred[axis]
+    for level in range(levels):
+        for index in range(stack.spans[level], stack.spans[level + 1]):
+            remove(vector, stack.basis[index], stack.widths[level])
+
+
+@shared
+def orthogonalize(stacked: Reference[Stack], level: int, start: int, rank: float) -> int:
+    """Find a basis of the level's rows, longest first; dependent ones are dropped.
+
+    Returns:
+        Where it ends; it begins at `start`.
+    """
     stack = stacked[0]
     first, last, width = stack.first_row[level], stack.first_row[level + 1], stack.widths[level]
-    stack.ranks[level] = 0
-    for fresh in range(last - first):
+    for row in range(first, last):
+        stack.norms[row] = dot(stack.rows[row], stack.rows[row], width)
+    for found in range(last - first):
         longest = first
         for row in range(first + 1, last):
             if stack.norms[row] > stack.norms[longest]:
                 longest = row
         length = math.sqrt(dot(stack.rows[longest], stack.rows[longest], width))
         if length <= rank:
-            break
-        stack.ranks[level] += 1
+            return int(start + found)
+        direction = stack.basis[start + found]
         for column in range(width):
-            stack.basis[first + fresh, column] = stack.rows[longest, column] / length
+            direction[column] = stack.rows[longest, column] / length
         for row in range(first, last):
             along = 0.0
             if row == longest:
                 along = length
                 stack.norms[row] = -1.0
             elif stack.norms[row] >= 0.0:
-                along = remove(stack.rows[row], stack.basis[first + fresh], width)
+                along = remove(stack.rows[row], direction, width)
                 stack.norms[row] = max(stack.norms[row] - along * along, 0.0)
-            stack.factor[fresh, row - first] = along
+            stack.factor[found, row - first] = along
+    return int(start + last - first)
 
 
 @shared
-def _solve(stacked: Reference[Stack], level: int, squared_damping: float) -> None:
+def solve(stacked: Reference[Stack], level: int, start: int, squared_damping: float) -> None:
     """Solve min ‖Lᵀ w − e‖² + λ²‖w‖² by Cholesky; L is the factor."""
     stack = stacked[0]
     factor, normal, inner = stack.factor, stack.normal, stack.inner
     first, count = stack.first_row[level], stack.first_row[level + 1] - stack.first_row[level]
-    rank = stack.ranks[level]
+    rank = stack.spans[level + 1] - start
     for i in range(rank):
         for j in range(i):
             entry = dot(factor[i], factor[j], count) - dot(normal[i], normal[j], j)
@@ -162,26 +164,16 @@ def _solve(stacked: Reference[Stack], level: int, squared_damping: float) -> Non
         inner[i] *= normal[i, i]
 
 
-@summing
-def dot(a: Floats, b: Floats, count: int) -> float:
-    """(C,), (C,) to the product of the first so many."""
-    total = 0.0
-    for index in range(count):
-        total += a[index] * b[index]
-    return total
+@shared
+def unfold(stacked: Reference[Stack], level: int, start: int, vector: Floats) -> None:
+    """Add to a vector what a level moves along the rows of its basis from `start` on."""
+    stack = stacked[0]
+    for index in range(start, stack.spans[level + 1]):
+        add(vector, stack.basis[index], stack.inner[index - start], stack.widths[level])
 
 
-@summing
-def remove(vector: Floats, direction: Floats, count: int) -> float:
-    """(C,), (C,): take from a vector what lies along a unit direction; return how much it was."""
-    along = dot(vector, direction, count)
-    for index in range(count):
-        vector[index] -= along * direction[index]
-    return along
-
-
-@summing
-def add(vector: Floats, other: Floats, factor: float, count: int) -> None:
-    """(C,), (C,): add a multiple of a vector to another."""
-    for index in range(count):
-        vector[index] += factor * other[index]
+@shared
+def clear(vector: Floats) -> None:
+    """(C,): make it zero."""
+    for column in range(vector.shape[0]):
+        vector[column] = 0.0

@@ -4,6 +4,9 @@ from typing import NamedTuple
 
 from usdmotion import Bools, Floats, Ints
 from usdmotion.kernels import Reference, TaskTable
+from usdmotion_prioritized_ik.bounds import Bounds
+from usdmotion_prioritized_ik.descent import Descend
+from usdmotion_prioritized_ik.holding import Holding
 from usdmotion_prioritized_ik.stack import Stack
 
 
@@ -35,6 +38,19 @@ class Given(NamedTuple):
     """(L + 1,) the tasks of level l are first_task[l] to first_task[l + 1]."""
 
 
+class Limits(NamedTuple):
+    """The joints that a solve moves whose turns are limited: K of the nodes."""
+
+    nodes: Ints
+    """(K,)"""
+    rests: Floats
+    """(K, 4) orientation at rest, from which turns are measured, in the parent's frame."""
+    low: Floats
+    """(K, 3) least rotation vector from rest [rad]."""
+    high: Floats
+    """(K, 3) greatest one [rad]."""
+
+
 class Settings(NamedTuple):
     """The solver's options, as numbers."""
 
@@ -64,8 +80,6 @@ class Pose(NamedTuple):
     """(N, 4) in the world."""
     columns: Ints
     """(N,) first column of each node that may move, -1 for the others."""
-    preserving: Floats
-    """(C,) what would bring the input's joint angles back."""
 
 
 class Saved(NamedTuple):
@@ -113,7 +127,25 @@ class Work(NamedTuple):
     carried: Reference[Carried]
     asked: Reference[Asked]
     stack: Reference[Stack]
+    limits: Reference[Limits]
+    bounds: Reference[Bounds]
+    holding: Reference[Holding]
+    descend: Descend
 
 
-Parts = tuple[Motion, Given, TaskTable, Settings, Pose, Saved, Carried, Asked, Stack]
-"""What `Work` refers to."""
+Parts = tuple[
+    Motion,
+    Given,
+    TaskTable,
+    Settings,
+    Pose,
+    Saved,
+    Carried,
+    Asked,
+    Stack,
+    Limits,
+    Bounds,
+    Holding,
+    Descend,
+]
+"""What `Work` refers to, and the function that it hands over."""

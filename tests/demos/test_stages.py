@@ -19,6 +19,7 @@ GIVES_WAY: dict[str, set[str]] = {
     "elbow_and_wrist": {"LeftWrist"},
     "karate": {"RightAnkle"},
     "karate_weighted": {"LeftHeel", "LeftBall", "LeftAnkle", "Balance", "RightAnkle"},
+    "limits": {"LeftWrist", "RightAnkle"},
     "ranks": {"Elbow"},
     "recruiting": {"Wrist"},
     "stepping": {"LeftHeel", "LeftBall"},

@@ -20,7 +20,7 @@ from usdmotion.demos.walker import (
     token,
     write_walk,
 )
-from usdmotion.kernels import from_vector
+from usdmotion.kernels import from_vector, multiply
 
 WALK = walk()
 KEYS = tuple(map(seconds, (43.0, 55.0, 91.0, 103.0)))
@@ -56,7 +56,11 @@ CASES = {
         points=np.array([[0.25, 0.10, 0.35], [0.15, -0.10, 0.40]]),
         space=Space(joint=THORAX),
     ),
-    kinds.ContactConstraint: on_left_wrist(location=np.array([0.25, 1.1, 0.35])),
+    # With the forearm bent as elbows bend.
+    kinds.ContactConstraint: on_left_wrist(
+        location=np.array([0.25, 1.1, 0.35]),
+        orientation=multiply(from_vector((0.0, 0.0, -0.7)), from_vector((0.0, -1.05, 0.0))),
+    ),
     kinds.CenterOfMassConstraint: {"displacement": np.array([0.03, -0.03, 0.05])},
     kinds.AimConstraint: {
         "joint": token(WALK, "Head"),

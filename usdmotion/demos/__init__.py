@@ -21,6 +21,7 @@ NAMES = (
     "strictness",
     "ranks",
     "recruiting",
+    "limits",
     "nothing_asked",
     "activation",
 )

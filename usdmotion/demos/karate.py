@@ -39,15 +39,13 @@ def build_weighted(output: Path) -> None:
 
 def asked(kicking: Walk, height: float) -> Sequence[Constraint]:
     """Return the planted foot (1), the balance (2) and the kicking ankle (3)."""
-    planted = [each for each in feet(kicking, priority=1) if each.path.startswith("Left")]
-    # Heel and ball leave the foot free to roll about their line; the ankle does not.
-    planted += [replace(planted[0], path="LeftAnkle", point=np.zeros(3))]
+    standing = planted(kicking)
     balance = CenterOfMassConstraint(
         path="Balance",
         skeleton=SKELETON,
         priority=2,
-        supports=tuple(each.joint for each in planted),
-        support_points=np.array([each.point for each in planted]),
+        supports=tuple(each.joint for each in standing),
+        support_points=np.array([each.point for each in standing]),
         axes="xz",
     )
     x, z = AHEAD
@@ -63,4 +61,11 @@ def asked(kicking: Walk, height: float) -> Sequence[Constraint]:
         recruits=kicking.skeleton.joints,
         goals=(high,),
     )
-    return [*planted, balance, ankle]
+    return [*standing, balance, ankle]
+
+
+def planted(kicking: Walk) -> list[PositionConstraint]:
+    """Return the constraints that hold the foot that stands, above all."""
+    left = [each for each in feet(kicking, priority=1) if each.path.startswith("Left")]
+    # Heel and ball leave the foot free to roll about their line; the ankle does not.
+    return [*left, replace(left[0], path="LeftAnkle", point=np.zeros(3))]

@@ -12,7 +12,7 @@ from usdmotion.demos.walker import SKELETON, feet, seconds, token, write_walk
 
 HIGHER = np.array((0.0, 0.15, 0.0))
 """How far the left ankle is to be above where it would have been [m]."""
-FRAMES = (66.0, 78.0, 82.0, 96.0)
+FRAMES = (66.0, 78.0, 81.0, 96.0)
 """It leaves its trajectory, is up there, leaves, is back: a step that stays in the air."""
 
 

@@ -7,6 +7,7 @@
 from usdmotion.kernels.compiling import kernel, shared, summing
 from usdmotion.kernels.jacobians import number_columns, task_rows
 from usdmotion.kernels.kinematics import forward, place, relative, world_points
+from usdmotion.kernels.limits import beyond_limits, limit_boxes, within_limits
 from usdmotion.kernels.parts import Reference, apart, reference
 from usdmotion.kernels.residuals import is_slack, residuals, task_error
 from usdmotion.kernels.rotations import (
@@ -29,6 +30,7 @@ __all__ = [
     "Shape",
     "TaskTable",
     "apart",
+    "beyond_limits",
     "chordal_mean",
     "compose",
     "conjugate",
@@ -37,6 +39,7 @@ __all__ = [
     "gaps",
     "is_slack",
     "kernel",
+    "limit_boxes",
     "multiply",
     "number_columns",
     "place",
@@ -50,5 +53,6 @@ __all__ = [
     "task_error",
     "task_rows",
     "to_vector",
+    "within_limits",
     "world_points",
 ]

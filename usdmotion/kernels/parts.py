@@ -8,7 +8,7 @@ hundreds of values in every call, a tuple of arrays, is passed on as one address
 from collections.abc import Callable, Sequence
 from functools import cache
 from inspect import signature
-from typing import Any, TypeAlias, TypeVar, cast, get_type_hints
+from typing import Any, TypeAlias, TypeVar, cast, get_origin, get_type_hints
 
 import numba
 import numpy as np
@@ -20,7 +20,7 @@ from usdmotion.kernels.compiling import OPTIONS, cached_beside
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _Value = TypeVar("_Value")
-_NUMBERS = {bool: types.boolean, int: types.int64, float: types.float64}
+_NUMBERS = {bool: types.boolean, int: types.int64, float: types.float64, type(None): types.void}
 
 Reference: TypeAlias = Sequence[_Value]
 """The address of a value inside a kernel; the value is its only item."""
@@ -41,8 +41,8 @@ def apart(function: _Function, **examples: Any) -> _Function:
 
     Args:
         function: Numbers are what its annotations say.
-        examples: Of those of its arguments that are none: what else was compiled apart, and for a
-            named tuple of references the values that it refers to.
+        examples: Of those of its arguments that are none: what else was compiled apart, what a
+            reference refers to, and all of this for the fields of a named tuple.
     """
     # To ask Numba for the types takes as long as to solve ten frames, so that is done once.
     known = (function, *((name, _form(example)) for name, example in examples.items()))
@@ -80,5 +80,10 @@ def _compiled(function: Callable[..., Any], signature: Any) -> Any:
 def _type(hint: Any, example: Any) -> Any:
     """Return the type of an argument."""
     if hasattr(hint, "_fields"):
-        return types.NamedTuple([types.CPointer(numba.typeof(each)) for each in example], hint)
-    return numba.typeof(example)
+        hints = get_type_hints(hint)
+        each = [
+            _type(hints[name], value) for name, value in zip(hint._fields, example, strict=True)
+        ]
+        return types.NamedTuple(each, hint)
+    known = numba.typeof(example)
+    return types.CPointer(known) if get_origin(hint) is Sequence else known
