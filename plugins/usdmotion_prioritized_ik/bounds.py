@@ -60,6 +60,13 @@ def make_bounds(bound_count: int, column_count: int) -> Bounds:
 
 
 @shared
+def open_bounds(bounded: Reference[Bounds]) -> None:
+    """Forget the bounds of another pose."""
+    bounds = bounded[0]
+    bounds.size[0], bounds.barred_size[0] = 0, 0
+
+
+@shared
 def add_bound(
     bounded: Reference[Bounds], level: int, first: int, last: int, low: float, high: float
 ) -> int:

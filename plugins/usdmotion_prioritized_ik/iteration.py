@@ -3,8 +3,8 @@
 import math
 
 from usdmotion import Floats
-from usdmotion.kernels import Kind, is_slack, shared, summing, task_error, task_rows
-from usdmotion_prioritized_ik.bounds import room
+from usdmotion.kernels import Kind, shared, summing, task_error, task_rows
+from usdmotion_prioritized_ik.bounds import add_bound, open_bounds, room
 from usdmotion_prioritized_ik.limits import bound_turns
 from usdmotion_prioritized_ik.posture import largest_turn, move, preserve
 from usdmotion_prioritized_ik.rows import add, dot
@@ -17,6 +17,8 @@ NEAR = 0.01
 """Errors below this leave the pull of the posture alone to decide how far to go [m or rad]."""
 SHORTEST, LONGEST = 0.1, 4.0
 """How far to go along a step, at least and at most."""
+FAR = 2.0
+"""No step is as long as this [rad and m]."""
 TURN_LENGTH = 0.2
 """A radian of a rotation task counts as so many metres, about the lever of a hand or a foot."""
 
@@ -40,6 +42,7 @@ def converge(work: Work, frame: int, levels: int, most: int, posture: bool, shar
         errors[task] = math.inf
     taken = 0.0
     for spent in range(most + 1):
+        open_bounds(work.bounds)
         change = linearize(work, frame, levels)
         done = change < EXACT or worst(work, levels) < EXACT
         if posture:
@@ -117,7 +120,10 @@ def worst(work: Work, levels: int) -> float:
 
 @shared
 def linearize(work: Work, frame: int, levels: int) -> float:
-    """Fill the stack with the rows of the first levels; return the largest change of an error."""
+    """Fill the stack with the rows of the first levels; return the largest change of an error.
+
+    A bound that is kept has no row: it is no error, and the levels below must not cross it.
+    """
     given, pose, asked, stack = work.given[0], work.pose[0], work.asked[0], work.stack[0]
     change = 0.0
     for level in range(levels):
@@ -129,13 +135,15 @@ def linearize(work: Work, frame: int, levels: int) -> float:
             kept = asked.kept[task]
             error = (error[0] - kept[0], error[1] - kept[1], error[2] - kept[2])
             rows, errors = stack.rows[row : row + 3], stack.errors[row : row + 3]
-            count = 0
-            if not is_slack(work.table, task, error):
-                count = task_rows(
-                    work.table, frame, task, given.parents, given.translates, pose.columns,
-                    stack.widths[level], pose.positions, pose.orientations, error,
-                    rows, errors, asked.block,
-                )  # fmt: skip
+            count = task_rows(
+                work.table, frame, task, given.parents, given.translates, pose.columns,
+                stack.widths[level], pose.positions, pose.orientations, error,
+                rows, errors, asked.block,
+            )  # fmt: skip
+            side = work.table[0].bound[task]
+            if side != 0 and side * error[0] < EXACT:
+                _bound(work, level, side, error[0], rows[0])
+                count = 0
             length = math.sqrt(dot(errors, errors, count))
             change = max(change, abs(length - asked.errors[task]))
             asked.errors[task] = length
@@ -143,6 +151,21 @@ def linearize(work: Work, frame: int, levels: int) -> float:
             row += count
         stack.first_row[level + 1] = row
     return change
+
+
+@shared
+def _bound(work: Work, level: int, side: int, left: float, row: Floats) -> None:
+    """Let the levels below one not go beyond a bound that it keeps, if a step can reach it."""
+    width = work.stack[0].widths[level]
+    length = math.sqrt(dot(row, row, width))
+    if abs(left) >= FAR * length:
+        return
+    low, high = -math.inf, max(left, 0.0) / length
+    if side > 0:
+        low, high = min(left, 0.0) / length, math.inf
+    bound = add_bound(work.bounds, level, 0, width, low, high)
+    for column in range(width):
+        work.bounds[0].rows[bound, column] = row[column] / length
 
 
 @shared

@@ -71,9 +71,8 @@ def keep_within(work: Work) -> None:
 
 @shared
 def bound_turns(work: Work) -> None:
-    """Write a bound for every limit that one iteration can reach, and no others."""
-    limits, pose, bounds = work.limits[0], work.pose[0], work.bounds[0]
-    bounds.size[0], bounds.barred_size[0] = 0, 0
+    """Add a bound for every limit that one iteration can reach."""
+    limits, pose = work.limits[0], work.pose[0]
     most = work.settings[0].turn_limit
     for index in range(limits.nodes.shape[0]):
         node = limits.nodes[index]
@@ -96,7 +95,7 @@ def bound_turns(work: Work) -> None:
                 continue
             bound = add_bound(work.bounds, ALL, column, column + 3, low, high)
             for part in range(3):
-                bounds.rows[bound, column + part] = row[part]
+                work.bounds[0].rows[bound, column + part] = row[part]
 
 
 @shared

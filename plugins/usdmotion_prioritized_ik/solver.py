@@ -6,7 +6,7 @@ from typing import ClassVar
 import numpy as np
 
 from usdmotion import Bools, Problem, Solution, option
-from usdmotion.kernels import apart
+from usdmotion.kernels import TaskTable, apart
 from usdmotion_prioritized_ik.bounds import Bounds, make_bounds
 from usdmotion_prioritized_ik.clip import solve_clip
 from usdmotion_prioritized_ik.convergence import solve_levels
@@ -143,15 +143,17 @@ def _parts(problem: Problem, settings: Settings, limits: Limits, motion: Motion)
             errors=np.zeros(tasks),
             block=np.zeros((3, columns)),
         ),
-        *_descent(make_stack(3 * tasks, columns, levels, limits.low.size), limits),
+        *_descent(columns, levels, table, limits),
     )
 
 
-def _descent(stack: Stack, limits: Limits) -> tuple[Stack, Limits, Bounds, Holding, Descend]:
+def _descent(
+    columns: int, levels: int, table: TaskTable, limits: Limits
+) -> tuple[Stack, Limits, Bounds, Holding, Descend]:
     """Return what goes down the levels, and room for what holds it back."""
-    columns = len(stack.step)
-    bounds = make_bounds(limits.low.size, columns)
-    holding = make_holding(limits.low.size, columns)
+    most = limits.low.size + int(np.count_nonzero(table.bound))
+    stack = make_stack(3 * len(table.kind), columns, levels, most)
+    bounds, holding = make_bounds(most, columns), make_holding(most, columns)
     return (
         stack,
         limits,

@@ -6,6 +6,7 @@ import pytest
 from usdmotion.constraints import Region, RegionConstraint
 from usdmotion.errors import SceneError
 from usdmotion.kernels import Shape, from_vector, gaps, rotate
+from usdmotion.solving import STOPS
 
 TURN = from_vector(np.array([0.4, -0.3, 0.2]))
 BOX = {"extent": np.array([0.2, 0.1, 0.15])}
@@ -93,7 +94,7 @@ def test_a_region_may_move(humanoid):
     region = Region(margin=0.2, translation=path)
     solved = humanoid.solve(keep(humanoid, region, "outside"))
     found = np.linalg.norm(humanoid.point(solved.after, "left_wrist") - path, axis=1)
-    np.testing.assert_allclose(found, 0.2, atol=2e-4)
+    np.testing.assert_allclose(found, 0.2, atol=1e-3)
 
 
 def test_no_region_and_an_unknown_side_are_refused(humanoid):
@@ -101,3 +102,37 @@ def test_no_region_and_an_unknown_side_are_refused(humanoid):
         humanoid.solve(keep(humanoid, None, "inside"))
     with pytest.raises(SceneError, match="use inside or outside"):
         humanoid.solve(keep(humanoid, Region(margin=1.0), "above"))
+
+
+def test_a_posture_that_pushes_against_a_wall_comes_to_rest_there(humanoid):
+    hand = humanoid.point(humanoid.cast, "left_wrist")
+    floor = Region(
+        shape=Shape.HALF_SPACE,
+        translation=np.array([0.0, hand[:, 1].max() + 0.05, 0.0]),
+        rotation=from_vector(np.array([-np.pi / 2, 0.0, 0.0])),
+    )
+    solved = humanoid.solve(keep(humanoid, floor, "outside", recruits=humanoid.chain("left_wrist")))
+    found = humanoid.point(solved.after, "left_wrist")
+    np.testing.assert_allclose(found[:, 1], hand[:, 1].max() + 0.05, atol=1e-5)
+    assert (solved.solution.stops == STOPS.index("settled")).all()
+
+
+@pytest.mark.parametrize("priority", [1, 2, 3])
+def test_what_ranks_above_may_cross_a_wall_and_what_ranks_below_may_not(humanoid, priority):
+    hand = humanoid.point(humanoid.cast, "left_wrist")
+    ball = Region(margin=0.15, translation=hand + np.array([0.0, 0.3, 0.0]))
+    high = humanoid.lift("left_wrist", 0.3, priority=2)
+    solved = humanoid.solve(keep(humanoid, ball, "outside", priority=priority), high)
+    depths = depth_of_ball(ball, humanoid.point(solved.after, "left_wrist"))
+    if priority == 1:
+        assert depths.min() > -1e-6
+        assert solved.errors[:, 1].min() == pytest.approx(0.15, abs=1e-3)
+    elif priority == 2:
+        assert (depths > -0.14).all() and (depths < -0.01).all()
+    else:
+        assert solved.errors[:, 1].max() < 1e-6
+
+
+def depth_of_ball(ball, points):
+    """Return how far points are outside of a ball that moves [m]."""
+    return np.linalg.norm(points - ball.translation, axis=1) - ball.margin
