@@ -149,3 +149,10 @@ def test_a_filter_enforces_twice_even_where_one_pass_is_asked_for() -> None:
     one = enforced(solver, problem, cutoff=3.0, passes=1)
     two = enforced(solver, problem, cutoff=3.0, passes=2)
     assert np.array_equal(one.rotations, two.rotations)
+
+
+def test_what_is_on_its_way_at_an_end_goes_on_and_the_ends_stay() -> None:
+    ramp = 3.0 * TIMES[:, None]
+    assert np.allclose(low_pass(TIMES, ramp, 2.0), ramp)
+    noise = np.random.default_rng(3).normal(size=(121, 2))
+    assert np.allclose(low_pass(TIMES, noise, 2.0)[[0, -1]], noise[[0, -1]])

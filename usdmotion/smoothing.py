@@ -111,8 +111,8 @@ def smoothed(before: Motion, after: Motion, cutoff: float) -> Motion:
     """Return a motion with the displacement from another one low-passed.
 
     The displacement is the difference of positions, and the rotation vector of before⁻¹ after. It
-    is filtered forwards and backwards alike, by a symmetric window, so that nothing is delayed; at
-    the ends it is continued as it is there.
+    is filtered by `low_pass`, so that nothing is delayed and a displacement that is nothing at an
+    end of the motion stays nothing there.
 
     Args:
         before: The motion from which the displacement is taken.
@@ -137,6 +137,9 @@ def smoothed(before: Motion, after: Motion, cutoff: float) -> Motion:
 def low_pass(times: Floats, values: Floats, cutoff: float) -> Floats:
     """Return values over time without what is faster than a frequency.
 
+    Nothing is delayed: the window is symmetric. At the ends values go on as their mirror image in
+    the end point, so that the first and the last stay where they are, on their way or at rest.
+
     Args:
         times: Ascending [s], shape (frame_count,); uneven samples are filtered on an even grid.
         values: Shape (frame_count, …).
@@ -157,7 +160,8 @@ def low_pass(times: Floats, values: Floats, cutoff: float) -> Floats:
     window = firwin(2 * reach + 1, cutoff, fs=rate, window="hamming")
     flat = values.reshape(len(times), -1)
     grid = _interpolated(even, times, flat)
-    filtered = convolve1d(grid, window, axis=0, mode="nearest")
+    mirrored = np.pad(grid, ((reach, reach), (0, 0)), mode="reflect", reflect_type="odd")
+    filtered = convolve1d(mirrored, window, axis=0)[reach:-reach]
     return np.asarray(_interpolated(times, even, filtered).reshape(values.shape))
 
 
