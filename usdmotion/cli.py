@@ -9,7 +9,8 @@ from typing import Annotated
 
 import typer
 
-from usdmotion.errors import InputError, OptionError
+from usdmotion.arguments import cutoff_of, frames_of, options_of
+from usdmotion.errors import InputError
 from usdmotion.terminal import Terminal, table, tables, to_json, write_text
 
 app = typer.Typer(
@@ -41,6 +42,10 @@ Edits = Annotated[
 ]
 Frames = Annotated[
     str | None, typer.Option(metavar="A:B", help="First and last time code, inclusive.")
+]
+Clean = Annotated[
+    float | None,
+    typer.Option(metavar="HZ", help="Clean the input first: outliers out, low-pass; 0 is off."),
 ]
 Composed = Annotated[
     Path | None, typer.Option(metavar="FILE", help="Write a stage that shows the answer.")
@@ -100,10 +105,9 @@ def import_(
             unit=unit,
             name=name,
             reader=reader,
-            options=_values(option),
+            options=options_of(option),
         )
-    for note in recording.notes:
-        terminal.note(note)
+    terminal.note(*recording.notes)
     frames, joints = recording.motion.rotations.shape[:2]
     terminal.tell(f"wrote {output}: {recording.name}, {frames} frames of {joints} joints")
 
@@ -130,6 +134,7 @@ def solve(
     solver: Annotated[str | None, typer.Option(help="Name of the solver.")] = None,
     option: Options = None,
     frames: Frames = None,
+    clean: Clean = None,
     compose: Composed = None,
     mend_recruiting: MendRecruiting = False,
     report: Page = None,
@@ -148,15 +153,15 @@ def solve(
             output,
             edits=edit or (),
             solver=solver,
-            options=_values(option),
-            frames=_frames(frames),
+            options=options_of(option),
+            frames=frames_of(frames),
+            cleaning=cutoff_of(clean),
             compose=compose,
             mend_recruiting=mend_recruiting,
             page=report,
             say=say,
         )
-    for note in told.notes:
-        terminal.note(note)
+    terminal.note(*told.notes)
     if json is not None:
         write_text(told.to_json(), json)
     written = (f"wrote {path}" for path in (output, compose, report) if path)
@@ -266,28 +271,3 @@ def schema_check() -> None:
     Terminal.open().tell(table("schema", findings))
     if not all(finding.ok for finding in findings):
         raise typer.Exit(2)
-
-
-def _values(pairs: list[str] | None) -> dict[str, object]:
-    """Return options from NAME=VALUE."""
-    values: dict[str, object] = {}
-    for pair in pairs or ():
-        name, equals, value = pair.partition("=")
-        if not equals:
-            raise OptionError(f"--option {pair} says no value; write --option {pair}=VALUE")
-        values[name] = value
-    return values
-
-
-def _frames(text: str | None) -> tuple[float, float] | None:
-    """Return time codes from A:B."""
-    if text is None:
-        return None
-    first, _, last = text.rpartition(":")
-    try:
-        frames = float(first), float(last)
-    except ValueError:
-        raise OptionError(f"--frames {text} is no range; write --frames A:B, as 1:48") from None
-    if not frames[0] <= frames[1]:
-        raise OptionError(f"--frames {text} ends before it starts; write the earlier time first")
-    return frames

@@ -19,7 +19,7 @@ from usdmotion.solving import Problem, Solution, Solver
 
 
 @dataclass
-class _Checked:
+class Checked:
     """A solver whose answers are looked at before anybody uses them."""
 
     name: ClassVar[str] = "checked"
@@ -89,7 +89,7 @@ class Passes:
             PluginError: The solver does not keep its contract.
         """
         self._cutoff, count = passes_of(scene.edits)
-        self._solver = _Checked(solver)
+        self._solver = Checked(solver)
         problem = Problem.of(scene)
         self._times = problem.cast.times
         done = passed(self._solver, problem, self._cutoff, count)

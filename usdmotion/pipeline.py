@@ -85,6 +85,7 @@ def solve(
     solver: str | None = None,
     options: Mapping[str, object] | None = None,
     frames: tuple[float, float] | None = None,
+    cleaning: float | None = None,
     compose: Path | None = None,
     mend_recruiting: bool = False,
     page: Path | None = None,
@@ -99,6 +100,8 @@ def solve(
         solver: Name of the solver; None takes what each edit says.
         options: Options of the solver, on top of those that an edit carries for it.
         frames: First and last time code to solve; None takes what each edit says.
+        cleaning: Cutoff of the filter that cleans the input first [Hz], 0 for none; None takes
+            what each edit says.
         compose: Where to write a stage that shows the answer over the shot; None writes none.
         mend_recruiting: Let constraints recruit what the recruiting rule asks of them.
         page: Where to write the report of it, as `reporting.report` does; None writes none.
@@ -116,6 +119,7 @@ def solve(
         solver=solver,
         options=options,
         frames=frames,
+        cleaning=cleaning,
         mend_recruiting=mend_recruiting,
         say=say,
     )

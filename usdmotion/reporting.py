@@ -1,9 +1,14 @@
 """The report of a shot that was solved: one page, and its pictures as files."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
+from usdmotion.cleaning import cleaned
 from usdmotion.errors import FileError
+from usdmotion.options import configured
+from usdmotion.outcome import Outcome
+from usdmotion.passes import Checked
 from usdmotion.plugins import host
 from usdmotion.report.findings import Findings, findings_of
 from usdmotion.report.page import Chapter, page
@@ -42,7 +47,8 @@ def report(
 
     require_matplotlib()
     say(f"reading {result}")
-    outcomes = usd.read_outcomes(result, shot=shot, kinds=host().constraints)
+    read = usd.read_outcomes(result, shot=shot, kinds=host().constraints)
+    outcomes = [_from_cleaned_input(each) for each in read]
     say("measuring")
     findings = tuple(findings_of(outcome) for outcome in outcomes)
     say("drawing")
@@ -56,6 +62,16 @@ def report(
             _write_pictures(chapters, png)
         write_text(page(result.name, chapters), str(output))
     return findings
+
+
+def _from_cleaned_input(outcome: Outcome) -> Outcome:
+    """Return an outcome beside the input that its edits started from, where they cleaned it."""
+    if not any(edit.cleaning > 0.0 for edit in outcome.scene.edits):
+        return outcome
+    record = outcome.records[0]
+    solver = configured(host().solver(record.solver), record.options)
+    scene, _ = cleaned(outcome.scene, Checked(solver).solve)
+    return replace(outcome, scene=scene)
 
 
 def _write_pictures(chapters: list[Chapter], folder: Path) -> None:

@@ -27,6 +27,8 @@ class Edit:
     """Options of the solver, as authored."""
     smoothing: float = 0.0
     """Cutoff of the filter between two passes [Hz]; 0 is off."""
+    cleaning: float = 0.0
+    """Cutoff of the filter that cleans the input first [Hz]; 0 leaves the input as it is."""
     passes: int = 1
     """How often the constraints are enforced; with smoothing at least twice."""
 
@@ -102,6 +104,15 @@ class Scene:
     def character(self, path: str) -> Character:
         """Return the character of a skeleton."""
         return next(character for character in self.characters if character.path == path)
+
+    def nodes(self, path: str) -> slice:
+        """Return the nodes of the cast that are a skeleton's joints; they stand after its space."""
+        first = 1
+        for each in self.characters:
+            if each.path == path:
+                break
+            first += 1 + len(each.skeleton.joints)
+        return slice(first, first + len(self.character(path).skeleton.joints))
 
     @property
     def notes(self) -> tuple[str, ...]:

@@ -10,12 +10,14 @@ from typing import TYPE_CHECKING
 
 from usdmotion import kernels
 from usdmotion.arrays import Floats
+from usdmotion.cleaning import Cleaning, cleaned
 from usdmotion.constraints import Constraint, altered, sound
 from usdmotion.errors import FileError, SceneError
 from usdmotion.kernels.compiling import cache_folder
 from usdmotion.motion import Motion
 from usdmotion.options import configured
 from usdmotion.options import options as options_of
+from usdmotion.passes import Checked
 from usdmotion.plugins import host
 from usdmotion.report import Report
 from usdmotion.scene import Edit, Scene
@@ -48,15 +50,22 @@ class Session:
     everything as it was; one is undone by setting the constraint that was there before.
     """
 
-    def __init__(self, shot: Shot, scenes: Sequence[SolvedScene]) -> None:
+    def __init__(
+        self,
+        shot: Shot,
+        scenes: Sequence[SolvedScene],
+        cleanings: Mapping[str, Cleaning] | None = None,
+    ) -> None:
         """Take over what was read and solved; `Session.open` is what reads and solves.
 
         Args:
             shot: What was read.
             scenes: Its scenes.
+            cleanings: What was done to the input of edits before, by their paths.
         """
         self._shot = shot
         self._scenes = tuple(scenes)
+        self._cleanings = dict(cleanings or {})
 
     @classmethod
     def open(
@@ -67,6 +76,7 @@ class Session:
         solver: str | None = None,
         options: Mapping[str, object] | None = None,
         frames: tuple[float, float] | None = None,
+        cleaning: float | None = None,
         mend_recruiting: bool = False,
         say: Say = lambda _: None,
     ) -> Session:
@@ -78,6 +88,8 @@ class Session:
             solver: Name of the solver; None takes what each edit says.
             options: Options of the solver, on top of those that an edit carries for it.
             frames: First and last time code to solve; None takes what each edit says.
+            cleaning: Cutoff of the filter that cleans the input first [Hz], 0 for none; None takes
+                what each edit says. What is changed later is asked of the cleaned input too.
             mend_recruiting: Let constraints recruit what the recruiting rule asks of them.
             say: Is told what is being done.
 
@@ -90,14 +102,18 @@ class Session:
         if not shot.is_file():
             raise FileError(f"{shot}: there is no such file")
         say(f"reading {shot}")
-        read = usd.read(shot, edits=edits, frames=frames, kinds=host().constraints)
-        scenes = []
+        kinds = host().constraints
+        read = usd.read(shot, edits=edits, frames=frames, cleaning=cleaning, kinds=kinds)
+        scenes: list[SolvedScene] = []
+        cleanings: dict[str, Cleaning] = {}
         for scene in read.scenes:
             chosen = _configured(scene.edits, solver, options or {})
             slow = not _is_compiled(chosen)
             say("compiling the solver, once: up to 10 s" if slow else f"solving {_names(scene)}")
-            scenes.append(SolvedScene(scene, chosen, mend_recruiting=mend_recruiting))
-        return cls(read, scenes)
+            clean, told = cleaned(scene, Checked(chosen).solve)
+            cleanings |= told
+            scenes.append(SolvedScene(clean, chosen, mend_recruiting=mend_recruiting))
+        return cls(read, scenes, cleanings)
 
     @property
     def constraints(self) -> tuple[Constraint, ...]:
@@ -169,14 +185,19 @@ class Session:
 
     def report(self) -> Report:
         """Return what is left of every constraint, measured from the answer as it is now."""
-        edits = (edit for solved in self._scenes for edit in solved.report().edits)
+        edits = (
+            replace(edit, cleaning=self._cleanings.get(edit.path))
+            for solved in self._scenes
+            for edit in solved.report().edits
+        )
         return Report(tuple(edits), self.notes)
 
     @property
     def notes(self) -> tuple[str, ...]:
         """One sentence about each thing that whoever asked should know."""
+        cleaned_first = (each.sentence(path) for path, each in self._cleanings.items())
         told = (note for solved in self._scenes for note in solved.notes)
-        return (*self._shot.warnings, *told)
+        return (*self._shot.warnings, *cleaned_first, *told)
 
     def write(self, output: Path, *, compose: Path | None = None) -> None:
         """Write the layer that puts the answer over the shot.
@@ -193,7 +214,10 @@ class Session:
         """
         from usdmotion import usd
 
-        shot = replace(self._shot, scenes=tuple(each.scene for each in self._scenes))
+        # Results are what has changed of the motions that were read, be these cleaned or not.
+        pairs = zip(self._shot.scenes, self._scenes, strict=True)
+        asked = (replace(solved.scene, characters=read.characters) for read, solved in pairs)
+        shot = replace(self._shot, scenes=tuple(asked))
         results = [each for solved in self._scenes for each in _results(solved)]
         usd.write(shot, results, output, notes=self.notes)
         if compose is not None:

@@ -60,12 +60,7 @@ class SolvedScene:
 
     def motion(self, skeleton: str, frames: slice = slice(None)) -> Motion:
         """Return the motion of one skeleton's joints as they are solved, on some of the frames."""
-        first = 1
-        for each in self.scene.characters:
-            if each.path == skeleton:
-                break
-            first += 1 + len(each.skeleton.joints)
-        joints = slice(first, first + len(self.scene.character(skeleton).skeleton.joints))
+        joints = self.scene.nodes(skeleton)
         kept = self._passes.last
         poses = kept.translations[frames, joints], kept.rotations[frames, joints]
         return Motion(self.scene.times[frames], *poses)

@@ -39,9 +39,10 @@ class Terminal:
         with self.notes.status("starting") as status:
             yield lambda doing: status.update(Text(doing))
 
-    def note(self, sentence: str) -> None:
-        """Tell something that should be known."""
-        self.notes.print(f"note: {sentence}")
+    def note(self, *sentences: str) -> None:
+        """Tell what should be known."""
+        for sentence in sentences:
+            self.notes.print(f"note: {sentence}")
 
     def tell(self, *shown: object) -> None:
         """Show text or tables."""

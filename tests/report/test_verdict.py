@@ -8,6 +8,7 @@ import pytest
 from rich.console import Console
 
 from usdmotion import Constraint, Goal, OrientationConstraint, PositionConstraint, Problem, Solution
+from usdmotion.cleaning import Cleaning, Held, Replaced
 from usdmotion.kernels import from_vector
 from usdmotion.report import ConstraintReport, EditReport, Report, judge
 from usdmotion.testing import ARM, arm_scene
@@ -104,11 +105,44 @@ def test_the_json_has_these_keys_and_no_others() -> None:
         "seconds",
         "iterations",
         "constraints",
+        "cleaning",
     ]
+    assert edit["cleaning"] is None
     assert [list(row) for row in edit["constraints"]] == 2 * [
         ["path", "type", "priority", "max", "rms", "unit", "worst_time", "met"]
     ]
     assert edit["constraints"][1]["met"] is False
+
+
+def test_what_was_cleaned_is_in_the_json_too() -> None:
+    held = Held("leg/foot", 2, 3e-3, 1e-3)
+    cleaning = Cleaning(
+        cutoff=10.0,
+        low_passed=True,
+        replaced=(Replaced("arm/hand", 3),),
+        moved=0.004,
+        moved_joint="arm/hand",
+        moved_time=7.0,
+        feet_known=True,
+        held=(held,),
+    )
+    edit = replace(report().edits[0], cleaning=cleaning)
+    (written,) = json.loads(Report((edit,)).to_json())["edits"]
+    assert written["cleaning"] == {
+        "cutoff": 10.0,
+        "low_passed": True,
+        "replaced": [{"joint": "arm/hand", "samples": 3}],
+        "moved": 0.004,
+        "moved_joint": "arm/hand",
+        "moved_time": 7.0,
+        "feet_known": True,
+        "held": [{"joint": "leg/foot", "rests": 2, "slide_before": 3e-3, "slide_after": 1e-3}],
+    }
+    assert cleaning.sentence("/Edit") == (
+        "</Edit> starts from a cleaned input: 3 samples are outliers and replaced (hand 3); "
+        "low-passed at 10 Hz, which moves joints by at most 4.0 mm (hand at 7); foot held where at "
+        "rest, sliding 1.0 mm instead of 3.0"
+    )
 
 
 def test_a_terminal_shows_millimetres_and_degrees_in_rank_order() -> None:

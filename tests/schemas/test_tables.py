@@ -32,6 +32,7 @@ SCHEMAS = {
         uniform token solver ""
         uniform timecode[] range []
         uniform double sampleRate 0
+        uniform double cleaning 0
         uniform double smoothing 0
         uniform int passes 1
         """,

@@ -8,6 +8,7 @@ from rich.table import Table
 from rich.text import Text
 
 from usdmotion.arrays import Floats
+from usdmotion.cleaning import Cleaning
 from usdmotion.constraints import Constraint
 from usdmotion.measuring import measure, tolerance
 from usdmotion.report.wording import kind_of
@@ -49,6 +50,8 @@ class EditReport:
     iterations: int
     """Iterations spent on all frames together."""
     constraints: tuple[ConstraintReport, ...]
+    cleaning: Cleaning | None = None
+    """What was done to its input first; None where it was taken as it is."""
 
 
 @dataclass(frozen=True)

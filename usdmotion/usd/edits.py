@@ -36,6 +36,8 @@ class Request:
     source: Usd.Prim
     time_codes: Floats
     """When, were it solved alone."""
+    cleaning: float = 0.0
+    """Cutoff of the filter that cleans its input first [Hz]; 0 is none."""
 
     @property
     def path(self) -> str:
@@ -66,13 +68,20 @@ def find_edits(stage: Usd.Stage, wanted: Sequence[str]) -> list[Usd.Prim]:
     return chosen
 
 
-def request(edit: Usd.Prim, frames: tuple[float, float] | None, facts: Facts) -> Request:
+def request(
+    edit: Usd.Prim,
+    frames: tuple[float, float] | None,
+    facts: Facts,
+    *,
+    cleaning: float | None = None,
+) -> Request:
     """Return what an edit asks to be solved.
 
     Args:
         edit: The MotionEdit.
         frames: First and last time code, over what the edit says.
         facts: Rates and range of the stage.
+        cleaning: Cutoff of the filter of its input [Hz], over what the edit says.
 
     Raises:
         SceneError: It cannot be solved as it is.
@@ -90,7 +99,7 @@ def request(edit: Usd.Prim, frames: tuple[float, float] | None, facts: Facts) ->
         facts,
         f"<{edit.GetPath()}>",
     )
-    return Request(edit, skeleton, source, times)
+    return Request(edit, skeleton, source, times, _cleaning(edit, cleaning))
 
 
 def refuse_rivals(requests: Sequence[Request]) -> None:
@@ -142,6 +151,18 @@ def animation_to_bind(edit: Usd.Prim, skeleton: Usd.Prim) -> str:
     if bound is not None and depends_on(bound, edit):
         return str(bound.GetPath())
     return result_path(edit)
+
+
+def _cleaning(edit: Usd.Prim, given: float | None) -> float:
+    """Return the cutoff of the filter of an edit's input [Hz], 0 for none."""
+    name = "usdmotion:cleaning"
+    cutoff = float(value(edit, name, 0.0)) if given is None else given
+    if not 0.0 <= cutoff < float("inf"):
+        raise SceneError(
+            f"<{edit.GetPath()}> is to be cleaned at {cutoff:g} Hz; set {name} to a cutoff in "
+            "hertz, such as 10, or to 0 for no cleaning"
+        )
+    return cutoff
 
 
 def _refuse_later(edit: Usd.Prim) -> None:

@@ -65,6 +65,7 @@ def outcomes_of(
             path,
             edits=[each.edit for each in group],
             frames=(frames[0], frames[1]) if len(frames) == 2 else None,
+            cleaning=float(said["cleaning"]) if "cleaning" in said else None,
             kinds=kinds,
         )
         notes = tuple(str(note) for note in said.get("notes", ()))

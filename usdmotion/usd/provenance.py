@@ -40,8 +40,8 @@ def provenance(
 ) -> dict[str, object]:
     """Return what the layer says of itself.
 
-    It is version, solver, options and hashes of what was read; the frames, where others were asked
-    for than the edits say; and the notes, where there are any.
+    It is version, solver, options and hashes of what was read; the frames and the cleaning of
+    the input, where others were asked for than the edits say; and the notes, where there are any.
     """
     told: dict[str, object] = {
         "version": own_version(),
@@ -51,6 +51,8 @@ def provenance(
     }
     if shot.frames is not None:
         told["frames"] = Vt.DoubleArray(shot.frames)
+    if shot.cleaning is not None:
+        told["cleaning"] = shot.cleaning
     if notes:
         told["notes"] = Vt.StringArray(list(notes))
     return told

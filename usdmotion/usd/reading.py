@@ -38,6 +38,7 @@ def read(
     *,
     edits: Sequence[str] = (),
     frames: tuple[float, float] | None = None,
+    cleaning: float | None = None,
     kinds: Sequence[type[Constraint]],
 ) -> Shot:
     """Return the scenes of a stage.
@@ -46,13 +47,15 @@ def read(
         path: A file of USD.
         edits: Paths of the MotionEdits that are wanted; none wants all.
         frames: First and last time code, over what the edits say.
+        cleaning: Cutoff of the filter of the input [Hz], over what the edits say.
         kinds: The constraint kinds that prims can be read as.
 
     Raises:
         FileError: The file cannot be opened.
         SceneError: Something on the stage cannot be solved, or had to be guessed.
     """
-    return read_stage(open_stage(path), path, edits=edits, frames=frames, kinds=kinds)
+    stage = open_stage(path)
+    return read_stage(stage, path, edits=edits, frames=frames, cleaning=cleaning, kinds=kinds)
 
 
 def read_stage(
@@ -61,13 +64,16 @@ def read_stage(
     *,
     edits: Sequence[str],
     frames: tuple[float, float] | None,
+    cleaning: float | None,
     kinds: Sequence[type[Constraint]],
 ) -> Shot:
     """Return the scenes of a stage that is open, as `read` does; errors name the path."""
     try:
         refuse(composition_faults(stage))
         facts = read_facts(stage)
-        requests = [request(edit, frames, facts) for edit in find_edits(stage, edits)]
+        requests = [
+            request(edit, frames, facts, cleaning=cleaning) for edit in find_edits(stage, edits)
+        ]
         refuse_rivals(requests)
         read_groups = [_read_group(group, kinds, facts) for group in couple(requests)]
     except SceneError as error:
@@ -80,6 +86,7 @@ def read_stage(
         takes=tuple(take for _, takes in read_groups for take in takes),
         warnings=warnings((each.edit for each in requests), _players(requests)),
         frames=frames,
+        cleaning=cleaning,
     )
 
 
@@ -146,6 +153,7 @@ def _edit(
         solver=str(value(each.edit, "usdmotion:solver", "")) or DEFAULT_SOLVER,
         options=options_of(each.edit),
         smoothing=max(float(value(each.edit, "usdmotion:smoothing", 0.0)), 0.0),
+        cleaning=each.cleaning,
         passes=max(int(value(each.edit, "usdmotion:passes", 1)), 1),
     )
 

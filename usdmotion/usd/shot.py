@@ -105,6 +105,8 @@ class Shot:
     """One sentence about each thing that can be solved but is probably not meant."""
     frames: tuple[float, float] | None = None
     """First and last time code that were asked for, over what the edits say."""
+    cleaning: float | None = None
+    """Cutoff of the filter of the input that was asked for, over what the edits say [Hz]."""
 
     def scene(self, edit: str) -> Scene:
         """Return the scene that an edit is in."""

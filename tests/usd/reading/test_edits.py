@@ -52,6 +52,22 @@ def test_smoothing_and_passes_are_read_as_authored(text, save, read):
     assert (scene.edits[0].smoothing, scene.edits[0].passes) == (6.0, 3)
 
 
+def test_cleaning_is_read_as_authored_or_as_given(text, save, read):
+    path = save(text.man(edit=text.edit(attributes="uniform double usdmotion:cleaning = 8")))
+    for given, expected in ((None, 8.0), (12.0, 12.0), (0.0, 0.0)):
+        (scene,) = read(path, cleaning=given).scenes
+        assert scene.edits[0].cleaning == expected
+    (scene,) = read(save(text.man())).scenes
+    assert scene.edits[0].cleaning == 0.0
+
+
+@pytest.mark.parametrize("cutoff", ["-1", "inf", "nan"])
+def test_a_cutoff_that_is_none_is_refused(text, save, read, cutoff):
+    attribute = f"uniform double usdmotion:cleaning = {cutoff}"
+    with pytest.raises(SceneError, match=r"</Man/Bones/Edit> .*usdmotion:cleaning"):
+        read(save(text.man(edit=text.edit(attributes=attribute))))
+
+
 def test_what_this_version_cannot_do_is_refused_by_name(text, save, read):
     attribute = "rel usdmotion:ground = </Man>"
     with pytest.raises(SceneError, match="</Man/Bones/Edit> sets usdmotion:ground, which this"):

@@ -1,0 +1,49 @@
+"""What the words of a command line say: options, times, frequencies."""
+
+from collections.abc import Sequence
+
+from usdmotion.errors import OptionError
+
+
+def options_of(pairs: Sequence[str] | None) -> dict[str, object]:
+    """Return options from NAME=VALUE.
+
+    Raises:
+        OptionError: One says no value.
+    """
+    values: dict[str, object] = {}
+    for pair in pairs or ():
+        name, equals, value = pair.partition("=")
+        if not equals:
+            raise OptionError(f"--option {pair} says no value; write --option {pair}=VALUE")
+        values[name] = value
+    return values
+
+
+def frames_of(text: str | None) -> tuple[float, float] | None:
+    """Return time codes from A:B.
+
+    Raises:
+        OptionError: It is no range.
+    """
+    if text is None:
+        return None
+    first, _, last = text.rpartition(":")
+    try:
+        frames = float(first), float(last)
+    except ValueError:
+        raise OptionError(f"--frames {text} is no range; write --frames A:B, as 1:48") from None
+    if not frames[0] <= frames[1]:
+        raise OptionError(f"--frames {text} ends before it starts; write the earlier time first")
+    return frames
+
+
+def cutoff_of(clean: float | None) -> float | None:
+    """Return the cutoff of --clean [Hz], 0 for none.
+
+    Raises:
+        OptionError: It is no frequency.
+    """
+    if clean is not None and not 0.0 <= clean < float("inf"):
+        raise OptionError(f"--clean {clean:g} is no cutoff; give hertz, such as 10, or 0 for none")
+    return clean
