@@ -1,6 +1,7 @@
 """The loop over the frames of a clip (2003, figure 6)."""
 
 from usdmotion.kernels import kernel, reference, shared
+from usdmotion_prioritized_ik.continuity import set_course
 from usdmotion_prioritized_ik.convergence import SETTLED, Converge, SolveLevels, keep
 from usdmotion_prioritized_ik.posture import carry_over, recruit
 from usdmotion_prioritized_ik.state import Parts, Work
@@ -53,6 +54,7 @@ def _solve_frame(work: Work, solve_levels: SolveLevels, converge: Converge, fram
         asked.on[task] = activity[task] >= 1.0
         for axis in range(3):
             asked.kept[task, axis] = 0.0
+    set_course(work, frame)
     stop = SETTLED
     for task in range(activity.shape[0] + 1):
         final = task == activity.shape[0]

@@ -5,6 +5,7 @@ import math
 from usdmotion import Floats
 from usdmotion.kernels import Kind, shared, summing, task_error, task_rows
 from usdmotion_prioritized_ik.bounds import add_bound, open_bounds, room
+from usdmotion_prioritized_ik.continuity import bound_changes
 from usdmotion_prioritized_ik.limits import bound_turns
 from usdmotion_prioritized_ik.posture import largest_turn, move, preserve
 from usdmotion_prioritized_ik.rows import add, dot
@@ -50,6 +51,7 @@ def converge(work: Work, frame: int, levels: int, most: int, posture: bool, shar
         if done or spent == most:
             return spent
         bound_turns(work)
+        bound_changes(work, frame)
         work.descend(
             work.stack,
             work.bounds,
@@ -60,7 +62,7 @@ def converge(work: Work, frame: int, levels: int, most: int, posture: bool, shar
             settings.curvature,
             settings.rank,
         )
-        turn, taken = _advance(work, levels, posture, share, taken)
+        turn, taken = _advance(work, frame, levels, posture, share, taken)
         if posture and change < settings.error_change and turn < settings.posture_change:
             return spent + 1
     return most
@@ -68,7 +70,7 @@ def converge(work: Work, frame: int, levels: int, most: int, posture: bool, shar
 
 @shared
 def _advance(
-    work: Work, levels: int, posture: bool, share: float, taken: float
+    work: Work, frame: int, levels: int, posture: bool, share: float, taken: float
 ) -> tuple[float, float]:
     """Move the pose; return the largest turn asked for [rad], and by what share it was made.
 
@@ -86,7 +88,7 @@ def _advance(
         longer = 1.0 + room(work.bounds, stack.step, stack.pull, longer - 1.0)
         add(stack.step, stack.pull, longer - 1.0, width)
     made = min(share, length, work.settings[0].turn_limit / max(longer * turn, 1e-12))
-    move(work, made)
+    move(work, frame, made)
     return turn, made * longer
 
 

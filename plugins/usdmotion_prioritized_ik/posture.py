@@ -13,6 +13,11 @@ from usdmotion.kernels.quaternions import (
     turned,
     unit,
 )
+from usdmotion_prioritized_ik.continuity import (
+    keep_on_course,
+    preferred_rotation,
+    preferred_translation,
+)
 from usdmotion_prioritized_ik.limits import keep_within
 from usdmotion_prioritized_ik.state import Work
 
@@ -33,6 +38,8 @@ def recruit(work: Work, levels: int) -> None:
             for goal in range(table.first_goal[task], table.first_goal[task + 1]):
                 count = _recruit_chain(work, task, table.goal_node[goal], count)
             count = _recruit_chain(work, task, table.axes_node[task], count)
+        if level == levels - 1 and level == work.carried[0].valid.shape[0] - 1:
+            count = _recruit_what_goes_on(work, count)
         work.stack[0].widths[level] = count
 
 
@@ -44,6 +51,19 @@ def _recruit_chain(work: Work, task: int, node: int, count: int) -> int:
             columns[node] = count
             count += 6 if given.translates[node] else 3
         node = given.parents[node]
+    return count
+
+
+@shared
+def _recruit_what_goes_on(work: Work, count: int) -> int:
+    """Number the nodes that no task moves now, but that cannot be where the input is at once."""
+    given, settings, columns = work.given[0], work.settings[0], work.pose[0].columns
+    if settings.velocity == 0.0 and settings.change == 0.0 and settings.root_change == 0.0:
+        return count
+    for node in range(columns.shape[0]):
+        if columns[node] < 0 and given.recruited[node] and given.freedom[node] > 0.0:
+            columns[node] = count
+            count += 6 if given.translates[node] else 3
     return count
 
 
@@ -66,6 +86,7 @@ def start(work: Work, frame: int, carry: int) -> None:
             pose.translations[node, axis] = motion.translations[frame, node, axis]
             if moves and given.translates[node]:
                 pose.translations[node, axis] += carried.translations[carry, node, axis]
+    keep_on_course(work, frame)
     keep_within(work)
     place_all(work)
 
@@ -96,7 +117,6 @@ def preserve(work: Work, frame: int) -> float:
     Returns:
         Its largest component.
     """
-    motion = work.motion[0]
     given, pose, settings = work.given[0], work.pose[0], work.settings[0]
     pull = work.stack[0].pull
     largest = 0.0
@@ -105,16 +125,17 @@ def preserve(work: Work, frame: int) -> float:
         if column < 0:
             continue
         parent = quaternion_at(pose.orientations, given.parents[node])
-        wanted = quaternion_in(motion.rotations, frame, node)
+        wanted = preferred_rotation(work, frame, node)
         turn = rotation_vector(product(wanted, inverse(quaternion_at(pose.rotations, node))))
         turn = turned(parent, turn)
         for axis in range(3):
             pull[column + axis] = settings.posture * turn[axis]
             largest = max(largest, abs(settings.posture * turn[axis]))
         if given.translates[node]:
-            x = motion.translations[frame, node, 0] - pose.translations[node, 0]
-            y = motion.translations[frame, node, 1] - pose.translations[node, 1]
-            z = motion.translations[frame, node, 2] - pose.translations[node, 2]
+            place = preferred_translation(work, frame, node)
+            x = place[0] - pose.translations[node, 0]
+            y = place[1] - pose.translations[node, 1]
+            z = place[2] - pose.translations[node, 2]
             way = turned(parent, (x, y, z))
             for axis in range(3):
                 pull[column + 3 + axis] = settings.root * way[axis]
@@ -136,7 +157,7 @@ def largest_turn(work: Work) -> float:
 
 
 @shared
-def move(work: Work, scale: float) -> None:
+def move(work: Work, frame: int, scale: float) -> None:
     """Compose the pose with the stack's step, and place it in the world."""
     given, pose, step = work.given[0], work.pose[0], work.stack[0].step
     for node in range(given.parents.shape[0]):
@@ -153,6 +174,7 @@ def move(work: Work, scale: float) -> None:
             way = turned(back, (step[column + 3], step[column + 4], step[column + 5]))
             for axis in range(3):
                 pose.translations[node, axis] += scale * way[axis]
+    keep_on_course(work, frame)
     keep_within(work)
     place_all(work)
 

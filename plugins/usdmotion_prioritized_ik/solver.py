@@ -62,6 +62,24 @@ class PrioritizedIK:
     posture_change: float = option(
         1e-3, "Turn of every joint below which a frame is settled [rad].", minimum=0
     )
+    velocity: float = option(
+        0.0,
+        "Share of the input's joint velocities in what is preserved, joint angles being the rest.",
+        minimum=0,
+        maximum=1,
+    )
+    change: float = option(
+        0.0,
+        "How much faster than the input a joint may turn from frame to frame [degrees a second]; "
+        "0 is no limit.",
+        minimum=0,
+    )
+    root_change: float = option(
+        0.0, "The same for the place of the root [m a second]; 0 is no limit.", minimum=0
+    )
+    change_rank: int = option(
+        0, "How many ranks of constraints stand above these limits of change.", minimum=0
+    )
 
     def solve(self, problem: Problem) -> Solution:
         """Return the motion that meets the tasks in rank order."""
@@ -125,6 +143,8 @@ def _parts(problem: Problem, settings: Settings, limits: Limits, motion: Motion)
             translates=np.array(cast.translates),
             freedom=1.0 - cast.stiffness,
             first_task=np.searchsorted(table.level, np.arange(levels + 1)),
+            recruited=recruited,
+            times=np.array(cast.times),
         ),
         table,
         settings,
@@ -134,6 +154,8 @@ def _parts(problem: Problem, settings: Settings, limits: Limits, motion: Motion)
             positions=np.zeros((nodes, 3)),
             orientations=np.zeros((nodes, 4)),
             columns=np.zeros(nodes, dtype=np.int64),
+            course_translations=np.zeros((nodes, 3)),
+            course_rotations=np.zeros((nodes, 4)),
         ),
         Saved(np.zeros((nodes, 3)), np.zeros((nodes, 4))),
         Carried(flags(levels), np.zeros((levels, nodes, 3)), np.zeros((levels, nodes, 4))),
@@ -143,15 +165,16 @@ def _parts(problem: Problem, settings: Settings, limits: Limits, motion: Motion)
             errors=np.zeros(tasks),
             block=np.zeros((3, columns)),
         ),
-        *_descent(columns, levels, table, limits),
+        *_descent(columns, levels, table, limits, settings),
     )
 
 
 def _descent(
-    columns: int, levels: int, table: TaskTable, limits: Limits
+    columns: int, levels: int, table: TaskTable, limits: Limits, settings: Settings
 ) -> tuple[Stack, Limits, Bounds, Holding, Descend]:
     """Return what goes down the levels, and room for what holds it back."""
     most = limits.low.size + int(np.count_nonzero(table.bound))
+    most += columns * (settings.change > 0.0 or settings.root_change > 0.0)
     stack = make_stack(3 * len(table.kind), columns, levels, most)
     bounds, holding = make_bounds(most, columns), make_holding(most, columns)
     return (

@@ -36,6 +36,10 @@ class Given(NamedTuple):
     """(N,) 1 − stiffness: how willingly a node moves."""
     first_task: Ints
     """(L + 1,) the tasks of level l are first_task[l] to first_task[l + 1]."""
+    recruited: Bools
+    """(N,) nodes that any task may move on any frame."""
+    times: Floats
+    """(F,) [s]"""
 
 
 class Limits(NamedTuple):
@@ -65,6 +69,10 @@ class Settings(NamedTuple):
     reach_limit: float
     error_change: float
     posture_change: float
+    velocity: float
+    change: float
+    root_change: float
+    change_rank: int
 
 
 class Pose(NamedTuple):
@@ -80,6 +88,10 @@ class Pose(NamedTuple):
     """(N, 4) in the world."""
     columns: Ints
     """(N,) first column of each node that may move, -1 for the others."""
+    course_translations: Floats
+    """(N, 3) where each node comes to if it goes on from the frame before as the input does …"""
+    course_rotations: Floats
+    """(N, 4) … and how it is turned then."""
 
 
 class Saved(NamedTuple):
