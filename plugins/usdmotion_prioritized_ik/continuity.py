@@ -7,6 +7,9 @@ That is its course. Its distance from the course is what it changes its velocity
 import math
 from typing import Any
 
+import numpy as np
+
+from usdmotion import Floats
 from usdmotion.kernels import shared
 from usdmotion.kernels.quaternions import (
     Quaternion,
@@ -26,8 +29,17 @@ from usdmotion.kernels.quaternions import (
 from usdmotion_prioritized_ik.bounds import add_bound
 from usdmotion_prioritized_ik.state import Work
 
+A_WHILE = 0.1
+"""The share of velocities is of a displacement after so many seconds, at any frame rate."""
 CORNER = 1.0 / math.sqrt(3.0)
 """Half the edge of the cube in a ball of radius 1."""
+
+
+def shares_of_velocity(times: Floats, share: float) -> Floats:
+    """(F,) seconds to (F,): what is left on a frame of a displacement of the frame before."""
+    shares = np.zeros(len(times))
+    shares[1:] = share ** (np.diff(times) / A_WHILE)
+    return shares
 
 
 @shared
@@ -52,9 +64,10 @@ def set_course(work: Work, frame: int) -> None:
 def preferred_rotation(work: Work, frame: int, node: int) -> Quaternion:
     """Return how a joint is turned where nothing is asked of it (2003, section 4.2).
 
-    It has the angle of the input, the velocity of the input, or is as far between as is asked for.
+    It has the angle of the input, the velocity of the input, or is between them, where a
+    displacement fades by the share that is asked for.
     """
-    share = work.settings[0].velocity
+    share = work.given[0].shares[frame]
     angle = quaternion_in(work.motion[0].rotations, frame, node)
     if share == 0.0:
         return angle
@@ -64,7 +77,7 @@ def preferred_rotation(work: Work, frame: int, node: int) -> Quaternion:
 @shared
 def preferred_translation(work: Work, frame: int, node: int) -> Vector:
     """Return where a root is where nothing is asked of it."""
-    share = work.settings[0].velocity
+    share = work.given[0].shares[frame]
     place = vector_in(work.motion[0].translations, frame, node)
     if share == 0.0:
         return place

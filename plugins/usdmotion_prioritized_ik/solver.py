@@ -9,6 +9,7 @@ from usdmotion import Bools, Problem, Solution, option
 from usdmotion.kernels import TaskTable, apart
 from usdmotion_prioritized_ik.bounds import Bounds, make_bounds
 from usdmotion_prioritized_ik.clip import solve_clip
+from usdmotion_prioritized_ik.continuity import shares_of_velocity
 from usdmotion_prioritized_ik.convergence import solve_levels
 from usdmotion_prioritized_ik.descent import Descend, descend
 from usdmotion_prioritized_ik.holding import Holding, make_holding
@@ -64,14 +65,15 @@ class PrioritizedIK:
     )
     velocity: float = option(
         0.0,
-        "Share of the input's joint velocities in what is preserved, joint angles being the rest.",
+        "Share of the input's joint velocities in what is preserved, its joint angles being the "
+        "rest: what is left after 0.1 s of a displacement that nothing asks for.",
         minimum=0,
         maximum=1,
     )
     change: float = option(
         0.0,
         "How much faster than the input a joint may turn from frame to frame [degrees a second]; "
-        "0 is no limit.",
+        "0 is no limit. Limits of joints stand above it.",
         minimum=0,
     )
     root_change: float = option(
@@ -137,15 +139,7 @@ def _parts(problem: Problem, settings: Settings, limits: Limits, motion: Motion)
 
     return (
         motion,
-        Given(
-            # As copies, because Numba compiles for arrays that cannot be written once more.
-            parents=np.array(cast.parents),
-            translates=np.array(cast.translates),
-            freedom=1.0 - cast.stiffness,
-            first_task=np.searchsorted(table.level, np.arange(levels + 1)),
-            recruited=recruited,
-            times=np.array(cast.times),
-        ),
+        _given(problem, settings, levels),
         table,
         settings,
         Pose(
@@ -166,6 +160,21 @@ def _parts(problem: Problem, settings: Settings, limits: Limits, motion: Motion)
             block=np.zeros((3, columns)),
         ),
         *_descent(columns, levels, table, limits, settings),
+    )
+
+
+def _given(problem: Problem, settings: Settings, levels: int) -> Given:
+    """Return what stays the same."""
+    cast, table = problem.cast, problem.table
+    return Given(
+        # As copies, because Numba compiles for arrays that cannot be written once more.
+        parents=np.array(cast.parents),
+        translates=np.array(cast.translates),
+        freedom=1.0 - cast.stiffness,
+        first_task=np.searchsorted(table.level, np.arange(levels + 1)),
+        recruited=problem.recruited,
+        times=np.array(cast.times),
+        shares=shares_of_velocity(cast.times, settings.velocity),
     )
 
 

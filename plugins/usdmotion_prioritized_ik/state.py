@@ -40,6 +40,8 @@ class Given(NamedTuple):
     """(N,) nodes that any task may move on any frame."""
     times: Floats
     """(F,) [s]"""
+    shares: Floats
+    """(F,) of the input's joint velocities in what is preserved, joint angles being the rest."""
 
 
 class Limits(NamedTuple):

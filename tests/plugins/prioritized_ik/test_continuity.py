@@ -1,15 +1,21 @@
 """Velocities that are preserved, and limits of how they change."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from usdmotion_prioritized_ik.continuity import A_WHILE, shares_of_velocity
 
 from usdmotion.constraints import Goal, PositionConstraint
-from usdmotion.kernels import conjugate, multiply, to_vector
+from usdmotion.kernels import conjugate, limit_boxes, multiply, to_vector
+from usdmotion.kernels.limits import limited_vectors
 from usdmotion.measuring import measure
 from usdmotion.plugins import host
 from usdmotion.solving import Problem
 from usdmotion.testing import HUMANOID, humanoid_scene
 from usdmotion.testing.resuming import check_resuming
+
+from .conftest import Chain
 
 SOLVER = host().solver("prioritized_ik")
 RATE = 24.0
@@ -70,6 +76,25 @@ def test_a_limit_of_change_makes_a_ramp_of_a_step():
     assert (np.diff(reaching) < 1e-9).all()
 
 
+def test_only_a_limit_of_the_joint_itself_lets_it_change_faster():
+    faster = 0
+    for seed in range(10):
+        chain = Chain.random(seed, frames=10)
+        (asked,) = chain.asked(seed, 0.5)
+        problem = chain.problem([replace(asked, times=(3 / RATE, 6 / RATE))])
+        solution = SOLVER(change=60.0).solve(problem)
+        low, high = limit_boxes(problem.cast.limits_min, problem.cast.limits_max)
+        found = limited_vectors(solution.rotations, problem.cast.rest_rotations, low, high)
+        inside = ((found > low + 1e-9) & (found < high - 1e-9)).all(axis=-1)[1:]
+        inputs = problem.cast.beyond_limits(problem.cast.rotations)
+        clean = inside & (inputs[1:] == 0.0) & (inputs[:-1] == 0.0)
+        change = changes(problem, solution)
+        assert change[clean].max() <= 60.0 + 1e-6
+        faster += np.count_nonzero(change > 60.0 + 1e-6)
+        assert problem.cast.beyond_limits(solution.rotations)[:, problem.recruited].max() < 1e-9
+    assert faster > 0
+
+
 def test_what_ranks_above_is_met_under_the_limit_as_well():
     _, _, errors = switched(change=90.0, root_change=0.2)
     assert errors[:, :2].max() < 1e-6
@@ -92,13 +117,22 @@ def test_a_limit_that_nothing_comes_near_changes_nothing():
 
 
 @pytest.mark.parametrize("share", [0.5, 0.9])
-def test_what_was_displaced_comes_home_by_the_share_of_angles_a_frame(share):
+def test_what_was_displaced_comes_home_by_the_share_in_a_tenth_of_a_second(share):
     problem, solution, _ = switched(velocity=share)
     arm = problem.cast.index[(HUMANOID, WRIST.rsplit("/", 2)[0])]
     turn = to_vector(displacements(problem, solution)[OFF - 1 :, arm])
     assert np.linalg.norm(turn[0]) > 0.05
     for step in range(1, 4):
-        np.testing.assert_allclose(turn[step], share**step * turn[0], atol=5e-3)
+        left = share ** (step / RATE / A_WHILE)
+        np.testing.assert_allclose(turn[step], left * turn[0], atol=5e-3)
+
+
+def test_the_share_is_one_of_time_and_not_of_frames():
+    once, twice = (shares_of_velocity(np.array(times), 0.4) for times in ((0, 0.1), (0, 0.05, 0.1)))
+    np.testing.assert_allclose(once, (0.0, 0.4))
+    np.testing.assert_allclose(np.prod(twice[1:]), 0.4)
+    for share in (0.0, 1.0):
+        np.testing.assert_array_equal(shares_of_velocity(np.array((0.0, 0.3)), share), (0.0, share))
 
 
 def test_with_all_of_velocity_joints_go_on_as_the_input_does():
