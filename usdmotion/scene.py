@@ -74,7 +74,8 @@ class Scene:
     @cached_property
     def demands(self) -> tuple[Demand, ...]:
         """What each constraint asks for, parallel to `constraints`."""
-        return tuple(constraint.demand(self.cast) for constraint in self.constraints)
+        demands = [constraint.demand(self.cast) for constraint in self.constraints]
+        return tuple(self._together(index, demands) for index in range(len(demands)))
 
     @cached_property
     def recruited(self) -> Bools:
@@ -86,6 +87,22 @@ class Scene:
         for each in self.constraints:
             recruited[list(each.recruited(cast))] = True
         return recruited
+
+    def _together(self, index: int, demands: Sequence[Demand]) -> Demand:
+        """Return a demand that also moves what it follows, where that follows it in the same rank.
+
+        Two that go towards each other would each go the whole way, and never meet. So each reckons
+        with what the other moves, as long as both are on at the same times.
+        """
+        own, demand = self.constraints[index], demands[index]
+        recruits = np.array(demand.recruits)
+        for other, asked in zip(self.constraints, demands, strict=True):
+            if own.skeleton == other.skeleton or not _in_step(own, other):
+                continue
+            followed = demand.moves & _nodes(asked)
+            if followed and asked.moves & _nodes(demand):
+                recruits[list(followed)] = True
+        return replace(demand, recruits=recruits)
 
     def during(self, frames: slice) -> "Scene":
         """Return the scene on some of its frames, with the constraints that can matter there.
@@ -124,6 +141,17 @@ class Scene:
             for each in self.characters
             if each.path in weighed and each.masses_from != "authored"
         )
+
+
+def _nodes(demand: Demand) -> Set[int]:
+    return set(np.flatnonzero(demand.recruits).tolist())
+
+
+def _in_step(one: Constraint, other: Constraint) -> bool:
+    """Tell whether two constraints of one rank are on at the same times, however long the clip."""
+    same = one.priority == other.priority and one.times == other.times
+    still = np.ndim(one.activity) == 0 and np.ndim(other.activity) == 0
+    return bool(same and still and one.activity == other.activity)
 
 
 def _mattering(constraints: Sequence[Constraint], times: Floats) -> Set[int]:

@@ -70,3 +70,22 @@ def test_the_order_of_the_characters_on_the_stage_is_all_the_same(text, save, so
     _, head = answer.both(HEAD, CODES, "/Bob/Bones")
     _, ankle = answer.both(ANKLE, CODES, "/Ann/Bones")
     np.testing.assert_allclose(ankle, head, atol=2e-3)
+
+
+def test_two_of_one_rank_that_go_to_each_other_meet(text, save, solve):
+    ann = text.man("Ann", edit=text.edit(text.hold(ride(text, "Bob", HEAD))))
+    bob = text.man(
+        "Bob",
+        edit=text.edit(text.hold(ride(text, "Ann", ANKLE)).replace(ANKLE, HEAD, 1)),
+        animation=text.poses(seed=3),
+    )
+    answer = solve(save(ann + bob))
+    _, head = answer.both(HEAD, CODES, "/Bob/Bones")
+    _, ankle = answer.both(ANKLE, CODES, "/Ann/Bones")
+    np.testing.assert_allclose(ankle, head, atol=2e-3)
+    moved = [
+        np.abs(np.subtract(*answer.both("hip", CODES, f"/{who}/Bones"))).max()
+        for who in ("Ann", "Bob")
+    ]
+    assert min(moved) > 0.1
+    assert answer.report.met
