@@ -34,7 +34,7 @@ turns = st.tuples(*[st.floats(-1.7, 1.7)] * 3).map(np.array)
 shares = st.floats(0.0, 1.0)
 
 
-def same(a: object, b: object) -> None:
+def assert_same(a: object, b: object) -> None:
     """Assert that two quaternions are the same rotation."""
     a, b = np.asarray(a), np.asarray(b)
     # The cosine between them would hide an angle of a milliradian.
@@ -45,8 +45,8 @@ def same(a: object, b: object) -> None:
 def test_products_are_scipys(a: np.ndarray, b: np.ndarray) -> None:
     qa, qb = from_vector(a), from_vector(b)
     wanted = (Rotation.from_rotvec(a) * Rotation.from_rotvec(b)).as_quat()
-    same(multiply(qa, qb), wanted)
-    same(product(qa, qb), wanted)
+    assert_same(multiply(qa, qb), wanted)
+    assert_same(product(qa, qb), wanted)
 
 
 @given(turns, vectors)
@@ -82,8 +82,8 @@ def test_the_sign_of_a_quaternion_does_not_matter(a: np.ndarray) -> None:
 @given(turns)
 def test_a_rotation_and_its_inverse_are_nothing(a: np.ndarray) -> None:
     q = from_vector(a)
-    same(multiply(q, conjugate(q)), (0.0, 0.0, 0.0, 1.0))
-    same(product(q, np.array(inverse(q))), (0.0, 0.0, 0.0, 1.0))
+    assert_same(multiply(q, conjugate(q)), (0.0, 0.0, 0.0, 1.0))
+    assert_same(product(q, np.array(inverse(q))), (0.0, 0.0, 0.0, 1.0))
 
 
 @given(turns, turns, shares)
@@ -93,22 +93,22 @@ def test_slerp_is_scipys(a: np.ndarray, b: np.ndarray, share: float) -> None:
     if way > 3.1:  # the shorter way is nearly not defined
         return
     wanted = Slerp([0.0, 1.0], ends)(share).as_quat()
-    same(slerp(from_vector(a), from_vector(b), np.array(share)), wanted)
-    same(interpolated(from_vector(a), from_vector(b), share), wanted)
+    assert_same(slerp(from_vector(a), from_vector(b), np.array(share)), wanted)
+    assert_same(interpolated(from_vector(a), from_vector(b), share), wanted)
 
 
 @given(turns, turns)
 def test_slerp_begins_and_ends_at_its_ends(a: np.ndarray, b: np.ndarray) -> None:
     start, end = from_vector(a), from_vector(b)
-    same(slerp(start, end, np.array(0.0)), start)
-    same(slerp(start, end, np.array(1.0)), end)
+    assert_same(slerp(start, end, np.array(0.0)), start)
+    assert_same(slerp(start, end, np.array(1.0)), end)
 
 
 @given(st.lists(st.tuples(turns, st.floats(0.1, 5.0)), min_size=1, max_size=5))
 def test_the_chordal_mean_is_scipys(each: list[tuple[np.ndarray, float]]) -> None:
     rotations = Rotation.from_rotvec([0.5 * turn for turn, _ in each])
     weights = np.array([weight for _, weight in each])
-    same(chordal_mean(rotations.as_quat(), weights), rotations.mean(weights).as_quat())
+    assert_same(chordal_mean(rotations.as_quat(), weights), rotations.mean(weights).as_quat())
 
 
 @given(vectors, turns, vectors, turns, vectors)

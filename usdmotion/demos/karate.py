@@ -6,10 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
-from usdmotion.constraints import CenterOfMassConstraint, Constraint, Goal, PositionConstraint
+from usdmotion.constraints import Constraint, Goal, PositionConstraint
 from usdmotion.demos.gait import Walk
 from usdmotion.demos.kick import kick
-from usdmotion.demos.walker import SKELETON, feet, seconds, token, write_walk
+from usdmotion.demos.walker import SKELETON, balance, feet, seconds, token, write_walk
 
 AHEAD = (-0.03, 0.85)
 """Where the kicking ankle is to be: to the left, and ahead [m]."""
@@ -40,14 +40,6 @@ def build_weighted(output: Path) -> None:
 def asked(kicking: Walk, height: float) -> Sequence[Constraint]:
     """Return the planted foot (1), the balance (2) and the kicking ankle (3)."""
     standing = planted(kicking)
-    balance = CenterOfMassConstraint(
-        path="Balance",
-        skeleton=SKELETON,
-        priority=2,
-        supports=tuple(each.joint for each in standing),
-        support_points=np.array([each.point for each in standing]),
-        axes="xz",
-    )
     x, z = AHEAD
     high = Goal(
         path="High", translation=np.array((x, height, z)), times=tuple(map(seconds, FRAMES))
@@ -61,7 +53,7 @@ def asked(kicking: Walk, height: float) -> Sequence[Constraint]:
         recruits=kicking.skeleton.joints,
         goals=(high,),
     )
-    return [*standing, balance, ankle]
+    return [*standing, balance(standing, priority=2), ankle]
 
 
 def planted(kicking: Walk) -> list[PositionConstraint]:

@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.constraints import CenterOfMassConstraint, Constraint, Goal, PositionConstraint
+from usdmotion.constraints import Constraint, Goal, PositionConstraint
 from usdmotion.demos.gait import Walk, walk
-from usdmotion.demos.walker import SKELETON, feet, seconds, token, write_walk
+from usdmotion.demos.walker import SKELETON, balance, feet, seconds, token, write_walk
 
 TARGET = np.array((0.65, 0.90, 4.25))
 """Where the left wrist is to be [m]: beside the path, lower than the shoulder, an arm away."""
@@ -18,22 +18,14 @@ FRAMES = (56.0, 72.0, 80.0, 96.0)
 def build(output: Path) -> None:
     """Write the stage."""
     walking = walk()
-    *planted, balance = held(walking)
-    write_walk(output, walking, "Reaching", [*planted, wrist(walking, TARGET), balance])
+    *planted, over_them = held(walking)
+    write_walk(output, walking, "Reaching", [*planted, wrist(walking, TARGET), over_them])
 
 
 def held(walking: Walk) -> list[Constraint]:
     """Return the feet on their trajectories (1) and the balance over them (3)."""
     planted = feet(walking, priority=1)
-    balance = CenterOfMassConstraint(
-        path="Balance",
-        skeleton=SKELETON,
-        priority=3,
-        supports=tuple(each.joint for each in planted),
-        support_points=np.array([each.point for each in planted]),
-        axes="xz",
-    )
-    return [*planted, balance]
+    return [*planted, balance(planted, priority=3)]
 
 
 def wrist(walking: Walk, target: Floats) -> PositionConstraint:

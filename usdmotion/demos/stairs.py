@@ -6,7 +6,6 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.constraints import (
-    CenterOfMassConstraint,
     Constraint,
     Goal,
     OrientationConstraint,
@@ -14,7 +13,7 @@ from usdmotion.constraints import (
     TrajectoryConstraint,
 )
 from usdmotion.demos.gait import Stance, Walk, walk
-from usdmotion.demos.walker import SKELETON, feet, token, write_walk
+from usdmotion.demos.walker import SKELETON, balance, feet, token, write_walk
 from usdmotion.kernels import forward, from_vector, world_points
 
 STEPS = {
@@ -38,15 +37,11 @@ def build(output: Path) -> None:
     """Write the stage."""
     walking = walk()
     planted = feet(walking, priority=1)
-    balance = CenterOfMassConstraint(
-        path="Balance",
-        skeleton=SKELETON,
-        priority=2,
-        supports=tuple(each.joint for each in planted),
-        support_points=np.array([each.point for each in planted]),
-        axes="xz",
-    )
-    asked = [*(_over_steps(walking, each) for each in planted), balance, *_carrying(walking)]
+    asked = [
+        *(_over_steps(walking, each) for each in planted),
+        balance(planted, priority=2),
+        *_carrying(walking),
+    ]
     write_walk(output, walking, "Stairs", asked, smoothing=SMOOTHING, passes=2)
 
 

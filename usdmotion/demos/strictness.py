@@ -9,14 +9,13 @@ from pathlib import Path
 import numpy as np
 
 from usdmotion.constraints import (
-    CenterOfMassConstraint,
     Constraint,
     Goal,
     OrientationConstraint,
     PositionConstraint,
 )
 from usdmotion.demos.gait import Walk, walk
-from usdmotion.demos.walker import SKELETON, feet, token, write_walk
+from usdmotion.demos.walker import SKELETON, balance, feet, token, write_walk
 from usdmotion.kernels import from_vector
 
 
@@ -29,14 +28,6 @@ def build(output: Path) -> None:
 def asked(walking: Walk) -> list[Constraint]:
     """Return feet (1), balance (2), a wrist (3) and an elbow (4) out of reach, a head (5)."""
     planted = feet(walking, priority=1)
-    balance = CenterOfMassConstraint(
-        path="Balance",
-        skeleton=SKELETON,
-        priority=2,
-        supports=tuple(each.joint for each in planted),
-        support_points=np.array([each.point for each in planted]),
-        axes="xz",
-    )
 
     def reach(name: str, joint: str, priority: int, way: tuple[float, ...]) -> PositionConstraint:
         goal = Goal(path="Away", mode="offset", translation=np.array(way))
@@ -54,4 +45,4 @@ def asked(walking: Walk) -> list[Constraint]:
     )
     wrist = reach("Wrist", "LeftHand", 3, (0.9, 0.3, 0.6))
     elbow = reach("Elbow", "LeftForeArm", 4, (0.2, -0.3, 0.2))
-    return [*planted, balance, wrist, elbow, head]
+    return [*planted, balance(planted, priority=2), wrist, elbow, head]

@@ -8,7 +8,12 @@ import numpy as np
 
 from usdmotion import usd
 from usdmotion.arrays import Floats
-from usdmotion.constraints import Constraint, PositionConstraint, RegionConstraint
+from usdmotion.constraints import (
+    CenterOfMassConstraint,
+    Constraint,
+    PositionConstraint,
+    RegionConstraint,
+)
 from usdmotion.demos.body import solids
 from usdmotion.demos.gait import Walk
 
@@ -100,6 +105,18 @@ def feet(walk: Walk, *, priority: int) -> list[PositionConstraint]:
             ("Ball", "ToeBase", walk.toe_point),
         )
     ]
+
+
+def balance(planted: Sequence[PositionConstraint], *, priority: int) -> CenterOfMassConstraint:
+    """Return the constraint that keeps the centre of mass over held points, along the ground."""
+    return CenterOfMassConstraint(
+        path="Balance",
+        skeleton=SKELETON,
+        priority=priority,
+        supports=tuple(each.joint for each in planted),
+        support_points=np.array([each.point for each in planted]),
+        axes="xz",
+    )
 
 
 def seconds(frame: float) -> float:
