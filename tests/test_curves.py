@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from usdmotion.curves import ease, kochanek_bartels, time_curve
+from usdmotion.curves import Spline, ease, kochanek_bartels, time_curve
 
 KEYS = (1.0, 2.0, 5.0, 7.0)
 times = st.floats(-20.0, 20.0)
@@ -117,3 +117,29 @@ def test_the_time_curve_rests_between_key_and_release() -> None:
     u, knots = time_curve(times, keys, releases)
     assert np.allclose(knots, [0.0, 1.0, 2.5, 3.5])
     assert np.allclose(u, [0.0, 0.5, 1.0, 1.0, 1.0, 1.5, 2.5, 3.5])
+
+
+knot_values = st.lists(st.floats(0.0, 10.0), min_size=1, max_size=8)
+
+
+@given(knot_values, st.floats(-5.0, 15.0))
+def test_a_spline_stays_between_the_values_beside_it(values: list[float], time: float) -> None:
+    knots = np.arange(len(values)) * 1.5
+    spline = Spline.through(knots, np.array(values))
+    before = values[int(np.clip(np.floor(time / 1.5), 0, len(values) - 1))]
+    after = values[int(np.clip(np.ceil(time / 1.5), 0, len(values) - 1))]
+    found = float(spline.at(np.array(time)))
+    assert min(before, after) - 1e-9 <= found <= max(before, after) + 1e-9
+
+
+def test_a_spline_goes_through_its_knots_and_is_flat_outside() -> None:
+    knots, values = np.array([0.0, 1.0, 3.0]), np.array([1.0, 4.0, 2.0])
+    spline = Spline.through(knots, values)
+    np.testing.assert_allclose(spline.at(knots), values)
+    np.testing.assert_array_equal(spline.at(np.array([-9.0, 9.0])), [1.0, 2.0])
+
+
+def test_a_spline_has_no_corner_at_a_knot() -> None:
+    spline = Spline.through(np.array([0.0, 1.0, 3.0, 4.0]), np.array([1.0, 2.0, 4.0, 9.0]))
+    near = spline.at(np.array([1.0 - 1e-6, 1.0, 1.0 + 1e-6]))
+    assert np.diff(near)[0] == pytest.approx(np.diff(near)[1], rel=1e-3)

@@ -46,9 +46,22 @@ class Pull(PositionConstraint):
         return ()
 
 
+@dataclass(frozen=True)
+class Nothing:
+    name: ClassVar[str] = "nothing"
+
+    def detect(self, search):
+        return None
+
+
 @hookimpl
 def register_solvers():
     return [Still]
+
+
+@hookimpl
+def register_detectors():
+    return [Nothing]
 
 
 @hookimpl
@@ -98,6 +111,7 @@ def test_a_plugin_registers_solvers_readers_constraints_and_schemas(
 ) -> None:
     found = gather([make("good", GOOD)])
     assert list(found.solvers) == ["still"]
+    assert list(found.detectors) == ["nothing"]
     assert list(found.readers) == ["tape"]
     assert [kind.schema for kind in found.constraints] == [
         *(kind.schema for kind in built_in()),

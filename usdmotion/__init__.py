@@ -19,7 +19,8 @@ if TYPE_CHECKING:
         relation,
     )
     from usdmotion.constraints.goal import composite_point, composite_turn
-    from usdmotion.curves import ease
+    from usdmotion.curves import Spline, ease
+    from usdmotion.detecting import Contact, Detected, Detector, NoisePattern, Search, Template
     from usdmotion.errors import (
         FileError,
         InputError,
@@ -56,7 +57,10 @@ __all__ = [
     "Cast",
     "Character",
     "Constraint",
+    "Contact",
     "Demand",
+    "Detected",
+    "Detector",
     "DistanceTask",
     "Edit",
     "FileError",
@@ -66,6 +70,7 @@ __all__ = [
     "Ints",
     "Joint",
     "Motion",
+    "NoisePattern",
     "OptionError",
     "OrientationConstraint",
     "Placement",
@@ -78,10 +83,13 @@ __all__ = [
     "RotationTask",
     "Scene",
     "SceneError",
+    "Search",
     "Session",
     "Skeleton",
     "Solution",
     "Solver",
+    "Spline",
+    "Template",
     "Term",
     "TurnGoal",
     "UsdMotionError",
@@ -112,6 +120,7 @@ _ROOMS = (
     "constraints",
     "scene",
     "solving",
+    "detecting",
     "hookspecs",
     "plugins",
     "session",

@@ -21,7 +21,7 @@ class PluginLine:
 
 @dataclass(frozen=True)
 class OptionLine:
-    """One option of a solver or reader."""
+    """One option of a solver, detector or reader."""
 
     of: str
     option: str
@@ -45,7 +45,8 @@ class Catalogue:
             tuple(_plugin_line(plugin) for plugin in host.plugins),
             tuple(
                 OptionLine(name, each.name, each.default, each.allowed, each.doc)
-                for name, offered in (*host.solvers.items(), *host.readers.items())
+                for known in (host.solvers, host.detectors, host.readers)
+                for name, offered in known.items()
                 for each in options(offered)
             ),
         )

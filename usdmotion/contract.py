@@ -13,6 +13,11 @@ def check_solver_kind(solver: object) -> None:
     _check_class(solver, "solver", "solve")
 
 
+def check_detector_kind(detector: object) -> None:
+    """Raise PluginError unless this is a detector class with sound options."""
+    _check_class(detector, "detector", "detect")
+
+
 def check_reader_kind(reader: object) -> None:
     """Raise PluginError unless this is a reader class with sound options and suffixes."""
     _check_class(reader, "reader", "read")

@@ -1,11 +1,61 @@
 """Curves over time that constraints are made of."""
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from usdmotion.arrays import Floats
+from usdmotion.arrays import Floats, seal
 
 SLACK = 1e-6
 """How far a sample may be beside the end of an interval that it counts to [s]."""
+
+
+@dataclass(frozen=True, eq=False)
+class Spline:
+    """A cubic spline over time, held flat outside its knots."""
+
+    times: Floats
+    """Time of each knot [s], ascending, at least one, shape (knot_count,)."""
+    values: Floats
+    """Value at each knot, shape (knot_count,)."""
+    slopes: Floats
+    """Derivative at each knot [1/s], shape (knot_count,)."""
+
+    def __post_init__(self) -> None:
+        for name in ("times", "values", "slopes"):
+            array = seal(getattr(self, name), len(self.times), name=name)
+            object.__setattr__(self, name, array)
+
+    @classmethod
+    def through(cls, times: Floats, values: Floats) -> "Spline":
+        """Return the spline through some values that rises and falls only where they do.
+
+        So it stays between neighbouring values, and never falls below zero where they do not. The
+        slope at a knot is the weighted harmonic mean of those beside it (Fritsch and Butland 1984),
+        and zero at the ends.
+        """
+        gaps = np.diff(times)
+        rises = np.diff(values) / gaps
+        before, after = 2.0 * gaps[1:] + gaps[:-1], gaps[1:] + 2.0 * gaps[:-1]
+        turns = rises[:-1] * rises[1:] <= 0.0
+        left, right = (np.where(turns, 1.0, each) for each in (rises[:-1], rises[1:]))
+        mean = (before + after) / (before / left + after / right)
+        return cls(times, values, np.pad(np.where(turns, 0.0, mean), 1)[: len(times)])
+
+    def at(self, times: Floats) -> Floats:
+        """Return its values at some times [s], of the shape of those."""
+        inside = np.clip(times, self.times[0], self.times[-1])
+        if len(self.times) == 1:
+            return np.full(np.shape(times), self.values[0])
+        knot = np.clip(np.searchsorted(self.times, inside, "right") - 1, 0, len(self.times) - 2)
+        length = self.times[knot + 1] - self.times[knot]
+        s = (inside - self.times[knot]) / length
+        return np.asarray(
+            (1.0 + s * s * (2.0 * s - 3.0)) * self.values[knot]
+            + s * s * (3.0 - 2.0 * s) * self.values[knot + 1]
+            + s * (1.0 - s) ** 2 * length * self.slopes[knot]
+            + s * s * (s - 1.0) * length * self.slopes[knot + 1]
+        )
 
 
 def ease(times: Floats, keys: tuple[float, ...]) -> Floats:

@@ -10,6 +10,7 @@ from pathlib import Path
 import pluggy
 
 from usdmotion.constraints import Constraint
+from usdmotion.detecting import Detector
 from usdmotion.recording import Reader
 from usdmotion.solving import Solver
 
@@ -20,6 +21,11 @@ hookimpl = pluggy.HookimplMarker("usdmotion")
 @hookspec
 def register_solvers() -> Iterable[type[Solver]]:  # type: ignore[empty-body]
     """Return classes whose instances solve whole clips."""
+
+
+@hookspec
+def register_detectors() -> Iterable[type[Detector]]:  # type: ignore[empty-body]
+    """Return classes whose instances find what a motion already obeys."""
 
 
 @hookspec

@@ -13,10 +13,12 @@ from usdmotion import hookspecs
 from usdmotion.constraints import Constraint, built_in
 from usdmotion.contract import (
     check_constraint_kind,
+    check_detector_kind,
     check_reader_kind,
     check_schema_folder,
     check_solver_kind,
 )
+from usdmotion.detecting import Detector
 from usdmotion.errors import InputError, OptionError, PluginError
 from usdmotion.recording import Reader
 from usdmotion.solving import Solver
@@ -38,6 +40,7 @@ class Plugin:
     module: str
     """What its entry point names."""
     solvers: tuple[type[Solver], ...] = ()
+    detectors: tuple[type[Detector], ...] = ()
     readers: tuple[type[Reader], ...] = ()
     constraints: tuple[type[Constraint], ...] = ()
     schemas: tuple[Path, ...] = ()
@@ -49,6 +52,7 @@ class Plugin:
         """What it registers: kind of thing and name."""
         return (
             *(("solver", solver.name) for solver in self.solvers),
+            *(("detector", detector.name) for detector in self.detectors),
             *(("reader", reader.name) for reader in self.readers),
             *(("constraint", kind.schema) for kind in self.constraints),
             *(("schema", str(folder)) for folder in self.schemas),
@@ -66,6 +70,11 @@ class Host:
     def solvers(self) -> dict[str, type[Solver]]:
         """Solver classes by name."""
         return {solver.name: solver for plugin in self.plugins for solver in plugin.solvers}
+
+    @cached_property
+    def detectors(self) -> dict[str, type[Detector]]:
+        """Detector classes by name."""
+        return {each.name: each for plugin in self.plugins for each in plugin.detectors}
 
     @cached_property
     def readers(self) -> dict[str, type[Reader]]:
@@ -89,6 +98,14 @@ class Host:
             OptionError: There is none; the sentence lists those that are there.
         """
         return self._named(self.solvers, name, "solver")
+
+    def detector(self, name: str) -> type[Detector]:
+        """Return the detector class of a name.
+
+        Raises:
+            OptionError: There is none; the sentence lists those that are there.
+        """
+        return self._named(self.detectors, name, "detector")
 
     def reader(self, name: str) -> type[Reader]:
         """Return the reader class of a name.
@@ -187,6 +204,7 @@ def _returned(hook: str, results: Iterable[object]) -> Iterable[object]:
 
 _CHECKS: dict[str, Callable[[object], None]] = {
     "solvers": check_solver_kind,
+    "detectors": check_detector_kind,
     "readers": check_reader_kind,
     "constraints": check_constraint_kind,
     "schemas": check_schema_folder,
