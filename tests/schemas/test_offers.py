@@ -17,8 +17,8 @@ ALLOWED = {
     ("MotionCenterOfMassConstraint", "axes"): "x y z xy xz yz xyz",
     ("MotionDistanceConstraint", "bound"): "equal atLeast atMost",
     ("MotionRegionConstraint", "side"): "inside outside",
-    ("MotionContactConstraint", "kind"): "space line point",
-    ("MotionDetection", "kinds"): "space line point",
+    ("MotionContactConstraint", "kind"): "space line point plane slide",
+    ("MotionDetection", "kinds"): "space line point plane slide",
 }
 
 

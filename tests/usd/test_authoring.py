@@ -8,14 +8,12 @@ from pxr import Usd, UsdGeom
 
 from usdmotion import usd
 from usdmotion.constraints import (
-    ContactConstraint,
     DistanceConstraint,
     Goal,
     OrientationConstraint,
     PositionConstraint,
     Region,
     RegionConstraint,
-    Space,
     TrajectoryConstraint,
     attributes,
     built_in,
@@ -268,13 +266,3 @@ def test_a_region_without_a_prim_cannot_be_authored(text, save):
     constraint = RegionConstraint(path="", skeleton="/Man/Bones", joint="hip", region=Region())
     with pytest.raises(SceneError, match="usdmotion:region whose path nobody says"):
         usd.author(stage, f"{EDIT}/It", constraint)
-
-
-def test_a_contact_in_the_frame_of_a_joint_cannot_be_authored(text, save):
-    stage = Usd.Stage.Open(str(save(text.man(edit=""))))
-    held = ContactConstraint(
-        path="", skeleton="/Man/Bones", joint="hip", space=Space(joint=("/Man/Bones", "hip/head"))
-    )
-    usd.author_edit(stage, EDIT)
-    with pytest.raises(SceneError, match="which a MotionContactConstraint cannot"):
-        usd.author(stage, f"{EDIT}/It", held)

@@ -20,7 +20,7 @@ class Attribute:
     animated: bool
     """Whether it may change over time: the field then holds a value, or one for each frame."""
     frame: str = ""
-    """In whose frame lengths are given: "" the stage's, "space" the relation `space`, "edit" the
+    """In whose frame it is given: "" the stage's, "space" the relation `space`, "edit" the
     MotionEdit's; else the field with the token of the joint, or with the tokens, a point each."""
     skeleton: str = "skeleton"
     """The field with the path of the Skeleton whose joint that is, the edit's where it is empty."""

@@ -1,6 +1,6 @@
-"""A joint's frame, a line of it or a point of it is held in place for a while."""
+"""A joint's frame, a line of it or a point of it is held for a while, or slides."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import ClassVar
 
@@ -12,11 +12,20 @@ from usdmotion.constraints.attributes import attribute
 from usdmotion.constraints.constraint import Constraint
 from usdmotion.constraints.space import Space
 from usdmotion.errors import SceneError
-from usdmotion.kernels import rotate
-from usdmotion.tasks import RotationTask, Task, Term
+from usdmotion.kernels import conjugate, from_vector, rotate
+from usdmotion.tasks import Axes, PointTask, RotationTask, Task, Term
 
-_APART = 0.25
+APART = 0.25
 """How far the two points are apart that hold a line [m]."""
+_HELD = {
+    "space": (True, True, True),
+    "line": (True, True, True),
+    "point": (True, True, True),
+    "plane": (False, False, True),
+    "slide": (True, True, False),
+}
+"""Along which axes the point is held, the last of which is the contact's own axis."""
+_WITH_AXIS = ("line", "plane", "slide")
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -25,35 +34,59 @@ class ContactConstraint(Constraint):
 
     schema: ClassVar[str] = "MotionContactConstraint"
     kind: str = attribute("space")
-    """`space`: the frame is held; `line`: it may turn about the axis; `point`: it may turn."""
+    """`space`: the frame is held; `line`: it may turn about the axis; `point`: it may turn;
+    `plane`: and its point may go along the plane; `slide`: along a line."""
     location: Floats = attribute(lambda: np.zeros(3), unit="length", frame="space")
-    """Where the effector's point is held, in the space [m]."""
-    orientation: Floats = attribute(lambda: np.array([0.0, 0.0, 0.0, 1.0]))
+    """Where the effector's point is held, in the space [m]; a place on the plane or the line."""
+    orientation: Floats = attribute(lambda: np.array([0.0, 0.0, 0.0, 1.0]), frame="space")
     """Orientation of the joint there, xyzw."""
-    axis: Floats = attribute(lambda: np.array([0.0, 0.0, 1.0]))
-    """Direction of the line, in the space."""
+    axis: Floats = attribute(lambda: np.array([0.0, 0.0, 1.0]), frame="space")
+    """Direction of the line, or of the normal of the plane, in the space."""
     template: bool = attribute(False)
     """Whether it is an example for detection."""
-    residual: float = attribute(0.0)
-    """How well the motion obeyed it when it was detected."""
+    residual: float = attribute(0.0, unit="length")
+    """How well the motion obeyed it when it was detected [m]."""
     space: Space = field(default_factory=Space)
     """The frame of location, orientation and axis."""
 
     def tasks(self, cast: Cast) -> Iterator[Task]:
         """Yield point tasks, and a rotation task where the whole frame is held."""
-        if self.kind not in ("space", "line", "point"):
-            raise SceneError(
-                f"<{self.path}> is of the kind '{self.kind}'; use space, line or point"
-            )
+        self._check()
         effector = self.effector(cast)
-        here = np.broadcast_to(self.location, (cast.frame_count, 3))
-        yield self.space.hold(cast, effector, here, self.path)
+        yield self._held(cast, effector)
         if self.kind == "line":
-            step = _APART * self.axis / np.linalg.norm(self.axis)
-            within = rotate(self.orientation * (-1.0, -1.0, -1.0, 1.0), step)
-            other = Term(effector.node, self.point + within)
-            yield self.space.hold(cast, other, here + step, self.path)
+            step = APART * self.axis / np.linalg.norm(self.axis)
+            within = rotate(conjugate(self.orientation), step)
+            yield self._held(cast, Term(effector.node, self.point + within), step)
         elif self.kind == "space":
             goal = self.space.turn(cast, self.orientation, self.path)
             original = cast.orientations[:, effector.node]
             yield RotationTask(effector.node, (goal,), original, np.ones(cast.frame_count))
+
+    def movable(self, cast: Cast) -> Iterable[int]:
+        """Return every node that can move its effector or its space."""
+        return {*super().movable(cast), *self.space.movable(cast, self.path)}
+
+    def _held(self, cast: Cast, effector: Term, step: Floats | float = 0.0) -> PointTask:
+        """Return the task that keeps a point where the kind lets it be, a step from the place."""
+        places = np.broadcast_to(self.location + step, (cast.frame_count, 3))
+        held = _HELD[self.kind]
+        axes = Axes(held) if all(held) else Axes(held, rotation=_onto(self.axis))
+        return self.space.hold(cast, effector, places, self.path, axes)
+
+    def _check(self) -> None:
+        if self.kind not in _HELD:
+            *most, last = _HELD
+            raise SceneError(
+                f"<{self.path}> is of the kind '{self.kind}'; use {', '.join(most)} or {last}"
+            )
+        if self.kind in _WITH_AXIS and not np.any(self.axis):
+            raise SceneError(f"<{self.path}> has an axis of zero; give usdmotion:axis a direction")
+
+
+def _onto(axis: Floats) -> Floats:
+    """Return the shortest rotation that turns z onto an axis, xyzw."""
+    x, y, z = axis / np.linalg.norm(axis)
+    sine = np.hypot(x, y)
+    around = np.array([-y, x, 0.0]) / sine if sine > 0.0 else np.array([1.0, 0.0, 0.0])
+    return from_vector(np.arctan2(sine, z) * around)

@@ -1,6 +1,6 @@
 """A point of a joint leaves its trajectory for a curve through given points, and rejoins it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import ClassVar
 
@@ -63,6 +63,10 @@ class TrajectoryConstraint(Constraint):
     def eased(self, cast: Cast) -> Floats:
         """Return its activity: the curve itself leaves and rejoins."""
         return np.asarray(self.activity * self._on(cast))
+
+    def movable(self, cast: Cast) -> Iterable[int]:
+        """Return every node that can move its effector or its space."""
+        return {*super().movable(cast), *self.space.movable(cast, self.path)}
 
     def _on(self, cast: Cast) -> Bools:
         ends = (self.times[0], self.times[-1])

@@ -9,7 +9,8 @@ from pxr import Usd
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Attribute, Constraint, Space, attributes, relations
 from usdmotion.errors import SceneError
-from usdmotion.kernels import conjugate, rotate
+from usdmotion.kernels import conjugate, multiply, rotate
+from usdmotion.usd.relations import target
 from usdmotion.usd.scaling import joint_units
 from usdmotion.usd.shot import Facts
 from usdmotion.usd.transforms import parent_matrices, rigid, world_matrices
@@ -24,7 +25,7 @@ def in_units(
 
     Args:
         constraint: In metres; its space is the world, or a joint.
-        prim: The prim that is to say it.
+        prim: The prim that is to say it, in the prim that its space names already, if any.
         edit: Its MotionEdit.
         codes: Time code of each frame.
         facts: Units and rates of the stage.
@@ -35,10 +36,12 @@ def in_units(
     changed: dict[str, Any] = {}
     for each in attributes(type(constraint)):
         given = np.asarray(getattr(constraint, each.field)) if each.frame else None
-        if given is None or not np.any(given):
+        if given is None or not given.size:
             continue
         if each.frame == "space":
-            changed[each.field] = _in_space(constraint, given, prim, codes, facts)
+            changed[each.field] = _in_space(constraint, each, given, prim, codes, facts)
+        elif not np.any(given):
+            continue
         elif each.frame == "edit":
             axes = world_matrices(edit or prim.GetParent(), codes)[:, :3, :3]
             turned = (np.atleast_2d(given)[:, None] @ np.linalg.inv(axes))[:, 0]
@@ -98,18 +101,24 @@ def _is_world(space: Space) -> bool:
 
 
 def _in_space(
-    constraint: Any, points: Floats, prim: Usd.Prim, codes: Floats, facts: Facts
+    constraint: Any, each: Attribute, given: Floats, prim: Usd.Prim, codes: Floats, facts: Facts
 ) -> Floats:
+    """Return points, a direction or an orientation in the space of a constraint."""
     space: Space = constraint.space
     if space.joint is not None:
+        if each.unit != "length":
+            return given
         units = joint_units(prim.GetStage(), *space.joint, codes, facts)
-        return np.asarray(points / _still(units, prim) * facts.meters_per_unit)
+        return np.asarray(given / _still(units, prim) * facts.meters_per_unit)
     if not _is_world(space):
-        return points
-    matrix = _still(parent_matrices(prim, codes), prim)[None]
-    origin, axes, scales = rigid(matrix, f"<{prim.GetPath()}>")
-    inside = rotate(conjugate(axes[0]), points - origin[0] * facts.meters_per_unit)
-    return np.asarray(inside / scales[0])
+        return given
+    named = target(prim, "usdmotion:space")
+    matrices = world_matrices(named, codes) if named else parent_matrices(prim, codes)
+    origin, axes, scales = rigid(_still(matrices, prim)[None], f"<{(named or prim).GetPath()}>")
+    back = conjugate(axes[0])
+    if each.unit != "length":
+        return multiply(back, given) if given.shape == (4,) else rotate(back, given)
+    return np.asarray(rotate(back, given - origin[0] * facts.meters_per_unit) / scales[0])
 
 
 def _in_joints(

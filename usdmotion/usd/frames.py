@@ -45,7 +45,7 @@ def in_metres(
         changed["space"], in_space = _space(prim, sittings, time_codes, facts)
     for each in attributes(type(constraint)):
         given = getattr(constraint, each.field)
-        if not each.frame or not np.any(given):
+        if not each.frame or each.unit != "length" or not np.any(given):
             continue
         if each.frame == "space":
             changed[each.field] = given * _steady(in_space, prim)

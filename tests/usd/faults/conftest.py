@@ -132,7 +132,7 @@ CASES = [
     ("MissingAPI", author("/Body/Walk", "usdmotion:parts", Sdf.ValueTypeNames.TokenArray, [])),
     ("UnknownToken", put(f"{EDIT}/Hand", "usdmotion:axes", "zyx")),
     ("UnknownToken", put(f"{EDIT}/Hand/Goal", "usdmotion:mode", "relative")),
-    ("UnknownToken", put(f"{EDIT}/Detection", "usdmotion:kinds", ["space", "plane"])),
+    ("UnknownToken", put(f"{EDIT}/Detection", "usdmotion:kinds", ["space", "sphere"])),
     ("OutOfLimits", put(f"{EDIT}/Hand", "usdmotion:activity", 1.5)),
     ("OutOfLimits", put(f"{EDIT}/Hand", "usdmotion:activity", float("nan"))),
     ("OutOfLimits", put(EDIT, "usdmotion:passes", 0)),

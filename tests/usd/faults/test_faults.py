@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import pytest
 from pxr import Sdf, UsdSkel
 
 import usdmotion.usd.faults
@@ -99,9 +100,10 @@ def test_an_edit_without_any_motion_cannot_be_solved_but_a_skeleton_may_rest(sta
     assert severities == {SKELETON: "warning", EDIT: "error"}
 
 
-def test_only_a_line_needs_an_axis(stage, put):
+@pytest.mark.parametrize("kind", ["line", "plane", "slide"])
+def test_only_kinds_of_contact_with_an_axis_need_one(stage, put, kind):
     contact = f"{EDIT}/Detection/Contact"
     put(contact, "usdmotion:axis", (0, 0, 0))(stage)
     assert find(stage) == []
-    put(contact, "usdmotion:kind", "line")(stage)
+    put(contact, "usdmotion:kind", kind)(stage)
     assert [fault.name for fault in find(stage)] == ["ZeroAxis"]

@@ -30,11 +30,11 @@ def find_missing_regions(prim: Usd.Prim) -> Iterator[Fault]:
 
 
 def find_zero_axes(prim: Usd.Prim) -> Iterator[Fault]:
-    """Find axes of an aim or a line that point nowhere."""
-    is_line = value(prim, "usdmotion:kind", "") == "line"
+    """Find axes that point nowhere: of an aim, of a contact that has one."""
+    has_axis = value(prim, "usdmotion:kind", "") in ("line", "plane", "slide")
     for name in ("usdmotion:aim", "usdmotion:axis"):
         axis = value(prim, name)
-        if axis is not None and not any(axis) and (name == "usdmotion:aim" or is_line):
+        if axis is not None and not any(axis) and (name == "usdmotion:aim" or has_axis):
             yield error(prim, "ZeroAxis", f"has an {name} of zero; give it a direction")
 
 
