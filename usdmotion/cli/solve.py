@@ -1,0 +1,69 @@
+"""Solve: the answer to what edits ask is written as a layer."""
+
+from typing import Annotated
+
+import typer
+
+from usdmotion.arguments import cutoff_of, frames_of, options_of
+from usdmotion.cli.application import app
+from usdmotion.cli.flags import (
+    Clean,
+    Composed,
+    Edits,
+    Frames,
+    Json,
+    MendRecruiting,
+    Options,
+    Output,
+    Page,
+    Quiet,
+    Source,
+    Strict,
+)
+from usdmotion.terminal import Terminal, write_text
+
+
+@app.command(
+    epilog="Example: usdmotion solve shot.usda -o shot.edit.usda --compose shot.solved.usda"
+)
+def solve(
+    shot: Source,
+    output: Output = None,
+    edit: Edits = None,
+    solver: Annotated[str | None, typer.Option(help="Name of the solver.")] = None,
+    option: Options = None,
+    frames: Frames = None,
+    clean: Clean = None,
+    compose: Composed = None,
+    mend_recruiting: MendRecruiting = False,
+    report: Page = None,
+    json: Json = None,
+    strict: Strict = False,
+    quiet: Quiet = False,
+) -> None:
+    """Solve the edits of a stage and write the layer that puts the answer over it."""
+    from usdmotion import pipeline
+
+    terminal = Terminal.open(quiet=quiet, json=json)
+    output = output or shot.with_name(f"{shot.stem}.edit.usda")
+    with terminal.busy() as say:
+        told = pipeline.solve(
+            shot,
+            output,
+            edits=edit or (),
+            solver=solver,
+            options=options_of(option),
+            frames=frames_of(frames),
+            cleaning=cutoff_of(clean),
+            compose=compose,
+            mend_recruiting=mend_recruiting,
+            page=report,
+            say=say,
+        )
+    terminal.note(*told.notes)
+    if json is not None:
+        write_text(told.to_json(), json)
+    written = (f"wrote {path}" for path in (output, compose, report) if path)
+    terminal.tell(*told.tables(), *written)
+    if strict and not told.met:
+        raise typer.Exit(3)
