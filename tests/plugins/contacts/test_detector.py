@@ -1,0 +1,24 @@
+"""The detector: what it finds, and that it does not matter where, when and in which order."""
+
+import numpy as np
+import pytest
+
+from usdmotion import OptionError
+
+
+def test_two_rests_are_two_contacts_at_their_places(detect, two_stances) -> None:
+    first, second = detect(two_stances()).contacts
+    assert (first.kind, first.start, second.kind) == ("space", 0.0, "space")
+    assert first.end == pytest.approx(1.0, abs=0.02)
+    assert second.start == pytest.approx(1.4, abs=0.02)
+    assert np.allclose(first.location, 0.0, atol=1e-6)
+    assert np.allclose(second.location, (0.6, 0.0, 0.0), atol=1e-6)
+
+
+def test_noise_of_the_size_of_the_templates_cuts_nothing(detect, two_stances) -> None:
+    assert len(detect(two_stances(noise=3e-4)).contacts) == 2
+
+
+def test_a_kind_that_nobody_knows_is_refused_with_those_that_are(detect, two_stances) -> None:
+    with pytest.raises(OptionError, match="'cone'; it looks for space"):
+        detect(two_stances(kinds=("space", "cone")))
