@@ -1,4 +1,4 @@
-"""The stages that lie in the repository are what the demos write today, and they can be solved."""
+"""The stages that lie in the repository are what the demos write today, and can be worked on."""
 
 import re
 from pathlib import Path
@@ -11,6 +11,7 @@ from usdmotion import demos, pipeline
 
 STAGES = Path(__file__).parents[2] / "stages"
 NAMES = sorted(path.stem for path in STAGES.glob("*.usda"))
+SOLVED = [name for name in NAMES if "solve" in demos.following(name, STAGES)]
 CLOSE = 1e-5
 """The last bits differ between machines, as their linear algebra does."""
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
@@ -45,7 +46,7 @@ def test_a_stage_is_what_its_demo_writes(name, tmp_path):
     np.testing.assert_allclose(built, kept, rtol=CLOSE, atol=CLOSE)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", SOLVED)
 def test_a_stage_solves_and_only_what_has_to_gives_way(name, tmp_path):
     report = pipeline.solve(STAGES / f"{name}.usda", tmp_path / "edit.usda")
     # A leg that is stretched at what it cannot reach may still move a little at the limit.

@@ -21,7 +21,7 @@ def demo(
     ] = None,
     quiet: Quiet = False,
 ) -> None:
-    """Build a stage, ready to be solved, with motion that the project makes itself."""
+    """Build a stage, ready to be worked on, with motion that the project makes itself."""
     from usdmotion import demos
 
     terminal = Terminal.open(quiet=quiet)
@@ -32,4 +32,4 @@ def demo(
         raise InputError(f"there is no demo '{name}'; there are: {', '.join(demos.NAMES)}")
     folder = output or Path(name)
     stage = demos.build(name, folder)
-    terminal.tell(f"wrote {stage}", f"solve it by: usdmotion solve {stage}")
+    terminal.tell(f"wrote {stage}", f"go on by: {demos.following(name, stage)}")

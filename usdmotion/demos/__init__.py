@@ -1,4 +1,4 @@
-"""The stages that the project makes itself: one figure of a paper a module, over one gait."""
+"""The stages that the project makes itself: one figure of a paper a module."""
 
 from importlib import import_module
 from pathlib import Path
@@ -24,6 +24,7 @@ NAMES = (
     "limits",
     "nothing_asked",
     "activation",
+    "dice",
 )
 """Every demo, in the order in which they explain themselves."""
 
@@ -48,3 +49,9 @@ def build(name: str, folder: Path) -> Path:
     output = folder / f"{name}.usda"
     import_module(f"usdmotion.demos.{name}").build(output)
     return output
+
+
+def following(name: str, stage: Path) -> str:
+    """Return the command to run next on the stage of a demo: solve it, where it has an edit."""
+    module = import_module(f"usdmotion.demos.{name}")
+    return str(getattr(module, "NEXT", "usdmotion solve {stage}")).format(stage=stage)

@@ -16,6 +16,7 @@ from usdmotion.usd.character_authoring import author_character
 from usdmotion.usd.edit_layers import read_outcomes
 from usdmotion.usd.inspection import Inspection, inspect
 from usdmotion.usd.new_stages import new_stage
+from usdmotion.usd.prop_authoring import author_mesh, author_prop
 from usdmotion.usd.reading import read
 from usdmotion.usd.recordings import write_recording
 from usdmotion.usd.region_authoring import author_region
@@ -30,6 +31,8 @@ __all__ = [
     "author",
     "author_character",
     "author_edit",
+    "author_mesh",
+    "author_prop",
     "author_region",
     "compose",
     "inspect",
