@@ -8,11 +8,13 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.cast import Cast
+from usdmotion.constraints.approach import gone, turned
 from usdmotion.constraints.attributes import attribute
 from usdmotion.constraints.constraint import Constraint
+from usdmotion.constraints.goal import trajectory
 from usdmotion.constraints.space import Space
 from usdmotion.errors import SceneError
-from usdmotion.kernels import conjugate, from_vector, rotate
+from usdmotion.kernels import conjugate, from_vector, multiply, rotate
 from usdmotion.tasks import Axes, PointTask, RotationTask, Task, Term
 
 APART = 0.25
@@ -50,7 +52,11 @@ class ContactConstraint(Constraint):
     """The frame of location, orientation and axis."""
 
     def tasks(self, cast: Cast) -> Iterator[Task]:
-        """Yield point tasks, and a rotation task where the whole frame is held."""
+        """Yield point tasks, and a rotation task where the whole frame is held.
+
+        While it eases, what is asked goes along with the motion, as far from it as where it is held
+        is at that end of the contact: nothing is drawn to a place where it is not yet, or no more.
+        """
         self._check()
         effector = self.effector(cast)
         yield self._held(cast, effector)
@@ -59,9 +65,21 @@ class ContactConstraint(Constraint):
             within = rotate(conjugate(self.orientation), step)
             yield self._held(cast, Term(effector.node, self.point + within), step)
         elif self.kind == "space":
-            goal = self.space.turn(cast, self.orientation, self.path)
             original = cast.orientations[:, effector.node]
+            facing = self.space.facing(cast, original, self.path)
+            held = np.broadcast_to(self.orientation, facing.shape)
+            course = multiply(held, turned(cast.times, self.times, facing))
+            goal = self.space.turn(cast, course, self.path)
             yield RotationTask(effector.node, (goal,), original, np.ones(cast.frame_count))
+
+    def needs(self, times: Floats, frames: slice) -> slice:
+        """Return the frames, and those at which the contact begins and ends if it eases there."""
+        asking = self.span(times)
+        if len(self.times) < 4 or asking.stop <= frames.start or frames.stop <= asking.start:
+            return frames
+        # Where it begins or ends is between two frames.
+        start, stop = asking.start - 1, asking.stop + 1
+        return slice(max(min(frames.start, start), 0), min(max(frames.stop, stop), len(times)))
 
     def movable(self, cast: Cast) -> Iterable[int]:
         """Return every node that can move its effector or its space."""
@@ -69,7 +87,8 @@ class ContactConstraint(Constraint):
 
     def _held(self, cast: Cast, effector: Term, step: Floats | float = 0.0) -> PointTask:
         """Return the task that keeps a point where the kind lets it be, a step from the place."""
-        places = np.broadcast_to(self.location + step, (cast.frame_count, 3))
+        inside = self.space.inside(cast, trajectory(cast, [effector]), self.path)
+        places = self.location + step + gone(cast.times, self.times, inside)
         held = _HELD[self.kind]
         axes = Axes(held) if all(held) else Axes(held, rotation=_onto(self.axis))
         return self.space.hold(cast, effector, places, self.path, axes)

@@ -6,7 +6,7 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.cast import Cast, Joint
-from usdmotion.kernels import multiply, rotate
+from usdmotion.kernels import conjugate, multiply, rotate
 from usdmotion.tasks import Axes, PointTask, Term, TurnGoal
 
 _ALL = Axes()
@@ -39,6 +39,12 @@ class Space:
             return rotate(self.rotation * (-1.0, -1.0, -1.0, 1.0), world - self.translation)
         back = cast.orientations[:, node] * (-1.0, -1.0, -1.0, 1.0)
         return rotate(back, world - cast.positions[:, node])
+
+    def facing(self, cast: Cast, world: Floats, asked_by: str) -> Floats:
+        """Return world orientations of the input as seen from it, shape (frame_count, 4)."""
+        node = self.node(cast, asked_by)
+        own = np.broadcast_to(self.rotation, world.shape)
+        return multiply(conjugate(own if node < 0 else cast.orientations[:, node]), world)
 
     def hold(
         self, cast: Cast, effector: Term, places: Floats, asked_by: str, axes: Axes = _ALL
