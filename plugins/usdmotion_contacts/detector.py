@@ -7,9 +7,9 @@ import numpy as np
 
 from usdmotion import Contact, Detected, NoisePattern, OptionError, Search
 from usdmotion_contacts.displacements import displacements
+from usdmotion_contacts.estimate import estimate
 from usdmotion_contacts.instants import at_rest
-from usdmotion_contacts.noise import NUMERICAL_EPSILON, NUMERICAL_SIGMA
-from usdmotion_contacts.pattern import constant, is_taught, pattern_of, taught
+from usdmotion_contacts.pattern import is_taught, pattern_of, taught
 from usdmotion_contacts.places import places
 from usdmotion_contacts.projection import SigmaEpsilon, project
 from usdmotion_contacts.settling import settle
@@ -48,11 +48,6 @@ def _pattern(search: Search, points: SigmaEpsilon) -> tuple[NoisePattern, list[s
         return pattern_of(noises, None), notes
     otherwise = search.pattern or estimate(search, points)
     return (pattern_of(noises, otherwise) if noises else otherwise), notes
-
-
-def estimate(search: Search, projected: SigmaEpsilon) -> NoisePattern:
-    """Return what numerical noise alone gives."""
-    return constant(10.0 * NUMERICAL_SIGMA, 10.0 * NUMERICAL_EPSILON)
 
 
 def _spaces(search: Search, points: SigmaEpsilon, pattern: NoisePattern) -> list[Contact]:
