@@ -6,15 +6,18 @@ from typing import ClassVar
 import numpy as np
 
 from usdmotion import Contact, Detected, NoisePattern, OptionError, Search
-from usdmotion_contacts.displacements import displacements
+from usdmotion_contacts.displacements import SLACK, displacements
 from usdmotion_contacts.estimate import estimate
-from usdmotion_contacts.instants import at_rest
+from usdmotion_contacts.instants import at_rest, turning
+from usdmotion_contacts.merging import left_of
 from usdmotion_contacts.pattern import is_taught, pattern_of, taught
 from usdmotion_contacts.places import places
 from usdmotion_contacts.projection import SigmaEpsilon, project
 from usdmotion_contacts.settling import settle
+from usdmotion_contacts.stacking import LINE, POINT
+from usdmotion_contacts.turning import turns
 
-KINDS = ("space",)
+KINDS = ("space", "line", "point")
 
 
 @dataclass(frozen=True)
@@ -37,7 +40,9 @@ class ContactDetector:
                 )
         points = project(displacements(search))
         pattern, notes = _pattern(search, points)
-        contacts = _spaces(search, points, pattern)
+        contacts = _turns(search, points, pattern) if {"line", "point"} & set(search.kinds) else []
+        if "space" in search.kinds:
+            contacts += _spaces(search, points, pattern, contacts)
         return Detected(tuple(sorted(contacts, key=lambda each: each.start)), pattern, tuple(notes))
 
 
@@ -50,7 +55,31 @@ def _pattern(search: Search, points: SigmaEpsilon) -> tuple[NoisePattern, list[s
     return (pattern_of(noises, otherwise) if noises else otherwise), notes
 
 
-def _spaces(search: Search, points: SigmaEpsilon, pattern: NoisePattern) -> list[Contact]:
+def _spaces(
+    search: Search, points: SigmaEpsilon, pattern: NoisePattern, turned: list[Contact]
+) -> list[Contact]:
+    """Return where an object rests, but for the moments at which a turn goes the other way."""
     groups, owners = places(search, points.displacements, at_rest(search, points, pattern))
-    nothing = np.zeros((len(groups.into), 3))
-    return settle(search, "space", groups, owners, nothing, nothing)
+    origins = np.zeros((len(groups.into), 3))
+    contacts = settle(search, "space", groups, left_of(groups), owners, origins, origins)
+    moment = 2.0 * points.displacements.step - SLACK
+    return [
+        each
+        for each in contacts
+        if each.end - each.start >= moment
+        or not any(one.start <= each.start and each.end <= one.end for one in turned)
+    ]
+
+
+def _turns(search: Search, points: SigmaEpsilon, pattern: NoisePattern) -> list[Contact]:
+    """Return the lines and points that it turns about."""
+    moves, contacts = points.displacements, []
+    found = turns(search, moves, turning(search, points, pattern), pattern)
+    for kind, number in (("line", LINE), ("point", POINT)):
+        left = left_of(found.groups)
+        left = left[found.kinds[left] == number]
+        if kind in search.kinds:
+            contacts += settle(
+                search, kind, found.groups, left, found.owners, found.points, found.axes
+            )
+    return contacts

@@ -16,7 +16,7 @@ APART = math.inf
 
 
 Distance = Callable[[Any, "Groups", int, int], float]
-Join = Callable[[Any, int, int], None]
+Join = Callable[[Any, "Groups", int, int], None]
 
 
 class Tolerances(NamedTuple):
@@ -62,8 +62,9 @@ def merger(distance: Distance, join: Join) -> Callable[..., None]:
     """Return what merges groups of one sort, for use inside a kernel.
 
     Args:
-        distance: Of stats and two groups, how far these are apart, `APART` if they do not meet.
-        join: Of stats and two groups, makes what is known of the first that of both.
+        distance: Of stats, all groups and two of them, how far these two are apart; `APART` if
+            they do not meet.
+        join: Of the same, makes what is known of the first that of both.
     """
     earlier = _finder(distance)
 
@@ -79,7 +80,7 @@ def merger(distance: Distance, join: Join) -> Callable[..., None]:
                 a = earlier(groups, b, times, limits, stats)
                 if a < 0:
                     continue
-                join(stats, a, b)
+                join(stats, groups, a, b)
                 groups.end[a] = max(groups.end[a], groups.end[b])
                 groups.into[b] = a
                 for between in range(a + 1, b):
@@ -118,6 +119,11 @@ def _finder(distance: Distance) -> Callable[..., int]:
     return cast(Callable[..., int], earlier)
 
 
+def left_of(groups: Groups) -> Ints:
+    """Return the indices of the groups that are contacts of their own."""
+    return np.flatnonzero(groups.into == np.arange(len(groups.into)))
+
+
 @shared
 def _length(groups: Groups, group: int, times: Floats) -> float:
     """Return how long a group lasts [s]."""
@@ -134,14 +140,29 @@ def root(groups: Groups, group: int) -> int:
 
 
 @shared
-def part(groups: Groups, count: int) -> None:
-    """Let each group begin after the end of the one before it; drop what then is no interval."""
+def part(groups: Groups, count: int, owners: Ints, times: Floats, shortest: float) -> None:
+    """Give each frame to one group, and drop those that are left with no interval or a short one.
+
+    Args:
+        groups: Merged groups; each is made to begin after the end of the one before it.
+        count: How many there are; room for more is marked as dropped.
+        owners: The group of each frame, which becomes the one that it is part of, or −1.
+        times: Of each frame [s].
+        shortest: Least length of a group [s].
+    """
+    for frame in range(owners.shape[0]):
+        owners[frame] = root(groups, owners[frame])
     end = -1
     for group in range(count):
         if groups.into[group] != group:
             continue
-        groups.start[group] = max(groups.start[group], end + 1)
-        if groups.start[group] >= groups.end[group]:
+        start = max(groups.start[group], end + 1)
+        while start < groups.end[group] and owners[start] != group:
+            start += 1
+        groups.start[group] = start
+        if start >= groups.end[group] or _length(groups, group, times) < shortest:
             groups.into[group] = -1
         else:
             end = groups.end[group]
+    for group in range(count, groups.into.shape[0]):
+        groups.into[group] = -1

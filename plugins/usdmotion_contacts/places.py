@@ -16,7 +16,6 @@ from usdmotion_contacts.merging import (
     groups_of,
     merger,
     part,
-    root,
     tolerances,
 )
 
@@ -120,7 +119,7 @@ def _distance(stats: _Places, groups: Groups, a: int, b: int) -> float:
 
 
 @shared
-def _join(stats: _Places, a: int, b: int) -> None:
+def _join(stats: _Places, groups: Groups, a: int, b: int) -> None:
     """Make the sums of the first those of both."""
     for point in range(stats.sums.shape[1]):
         for axis in range(3):
@@ -143,7 +142,6 @@ def _find(
     owners: Ints,
 ) -> None:
     """(F,), ((F, 3), (F, 4), (P, 3)), (D,), (D,) into groups and (F,)."""
-    labels = owners
     count = 0
     for i in range(last.shape[0]):
         if not resting[i]:
@@ -157,11 +155,7 @@ def _find(
         _add(poses, stats, group, i)
         _add(poses, stats, group, last[i])
         groups.end[group] = last[i]
-        labels[i] = group
-        labels[last[i]] = group
+        owners[i] = group
+        owners[last[i]] = group
     _merge(groups, count, times, limits, stats)
-    part(groups, count)
-    for frame in range(owners.shape[0]):
-        owners[frame] = root(groups, owners[frame])
-    for group in range(count, groups.into.shape[0]):
-        groups.into[group] = -1
+    part(groups, count, owners, times, 0.0)

@@ -32,11 +32,12 @@ def settle(
     search: Search,
     kind: str,
     groups: Groups,
+    left: Ints,
     owners: Ints,
     points: Floats,
     axes: Floats,
 ) -> list[Contact]:
-    """Return the groups that are left as contacts.
+    """Return some groups as contacts, but for those that are too short.
 
     The location has the least mean distance from where the point is on the frames that the group
     owns: some frames elsewhere, as at its ends, hardly move it. The orientation is the mean of a
@@ -46,11 +47,11 @@ def settle(
         search: The motion.
         kind: What they are contacts of.
         groups: Their frames.
+        left: Indices of the groups.
         owners: Which group each frame belongs to, shape (frame_count,).
         points: What each holds, in the object's frame [m], shape (group_count, 3).
         axes: The axis of each in it, shape (group_count, 3).
     """
-    left = np.flatnonzero(groups.into == np.arange(len(groups.into)))
     long = search.times[groups.end[left]] - search.times[groups.start[left]]
     left = left[long >= search.minimum - SLACK]
     size = np.ptp(search.points, axis=0).max() if kind == "line" else 0.0
@@ -70,7 +71,7 @@ def settle(
             point=held.points[i],
             location=held.locations[i] + search.translations[0],
             orientation=turns[i],
-            **({} if kind == "space" else {"axis": held.directions[i]}),
+            **({"axis": held.directions[i]} if kind == "line" else {}),
             residual=float(held.residuals[i]),
         )
         for i in range(len(left))

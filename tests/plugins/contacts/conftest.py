@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 from usdmotion_contacts import ContactDetector
+from usdmotion_contacts.pattern import constant
 
-from usdmotion import Detected, Floats, Search, Template, configured
+from usdmotion import Detected, Search, Template, configured
 
 RATE = 120.0
 
@@ -48,7 +49,25 @@ def two_stances() -> Callable[..., Search]:
     return make
 
 
-def swung(angles: Floats, axis: Floats, point: Floats) -> tuple[Floats, Floats]:
-    """Return the poses of an object that turns about a world axis from where it is [rad]."""
-    turns = Rotation.from_rotvec(angles[:, None] * axis / np.linalg.norm(axis))
-    return point - turns.apply(point), turns.as_quat()
+@pytest.fixture(scope="session")
+def held() -> Callable[..., Search]:
+    """Return what makes an object that turns, a point of it [m] staying where it is [m]."""
+
+    def make(
+        turns: Rotation, *, point=(0.1, 0.2, 0.0), place=(1.0, 2.0, 3.0), rate: float = 60.0,
+        noise: float = 0.0, **fields: object,
+    ) -> Search:  # fmt: skip
+        random = np.random.default_rng(3)
+        translations = np.array(place) - turns.apply(np.array(point))
+        noisy = turns * Rotation.from_rotvec(random.normal(size=(len(turns), 3)) * 3.0 * noise)
+        return Search(**{
+            "name": "door",
+            "times": np.arange(len(turns)) / rate,
+            "translations": translations + random.normal(size=(len(turns), 3)) * noise,
+            "rotations": noisy.as_quat(),
+            "kinds": ("space", "line", "point"),
+            "pattern": constant(1e-5, 1e-5),
+            **fields,
+        })  # fmt: skip
+
+    return make
