@@ -6,9 +6,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from usdmotion.arrays import Floats
+from usdmotion.capture import Capture, Markers
 from usdmotion.kernels import conjugate, multiply, to_vector
 from usdmotion.motion import Motion
-from usdmotion.resampling import evenly, resample
+from usdmotion.resampling import capture_evenly, evenly, resample
 
 
 def random_motion(seed: int, frame_count: int = 6, joint_count: int = 3) -> Motion:
@@ -98,3 +99,31 @@ def test_evenly_ends_at_or_before_the_last_sample() -> None:
     film = evenly(clip, 24.0)
     assert film.frame_count == 20
     assert np.allclose(film.translations, clip.translations[::5])
+
+
+def captured(frame_count: int = 9) -> Capture:
+    random = np.random.default_rng(3)
+    seen = np.ones((frame_count, 2), dtype=bool)
+    seen[3, 1] = False
+    markers = Markers(("A", "B"), random.normal(size=(frame_count, 2, 3)), seen)
+    times = np.arange(frame_count) / 60.0
+    return Capture(name="c", up="Y", frame_rate=60.0, times=times, markers=markers)
+
+
+def test_captured_markers_at_their_own_rate_stay_as_they_are() -> None:
+    again = capture_evenly(captured(), 60.0)
+    np.testing.assert_array_equal(again.markers.positions, captured().markers.positions)
+    np.testing.assert_array_equal(again.markers.seen, captured().markers.seen)
+
+
+def test_captured_markers_go_straight_and_are_seen_where_both_sides_are() -> None:
+    twice = capture_evenly(captured(), 120.0)
+    own = captured().markers
+    assert twice.frame_rate == 120.0
+    assert len(twice.times) == 17
+    np.testing.assert_allclose(twice.markers.positions[::2], own.positions, atol=1e-12)
+    middles = 0.5 * (own.positions[1:] + own.positions[:-1])
+    np.testing.assert_allclose(twice.markers.positions[1::2], middles, atol=1e-12)
+    np.testing.assert_array_equal(
+        twice.markers.seen[:, 1].nonzero()[0], [0, 1, 2, 3, 4, *range(8, 17)]
+    )

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from usdmotion.arrays import Bools, Floats, Ints
+    from usdmotion.capture import Capture, Cluster, Event, ForcePlate, Markers
     from usdmotion.cast import Cast, Character, Joint
     from usdmotion.constraints import (
         Constraint,
@@ -54,8 +55,10 @@ __all__ = [
     "Axes",
     "Body",
     "Bools",
+    "Capture",
     "Cast",
     "Character",
+    "Cluster",
     "Constraint",
     "Contact",
     "Demand",
@@ -63,12 +66,15 @@ __all__ = [
     "Detector",
     "DistanceTask",
     "Edit",
+    "Event",
     "FileError",
     "Floats",
+    "ForcePlate",
     "Goal",
     "InputError",
     "Ints",
     "Joint",
+    "Markers",
     "Motion",
     "NoisePattern",
     "OptionError",
@@ -112,6 +118,7 @@ _ROOMS = (
     "arrays",
     "options",
     "motion",
+    "capture",
     "recording",
     "cast",
     "tasks",

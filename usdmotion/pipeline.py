@@ -7,13 +7,14 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from usdmotion.capture import Capture
 from usdmotion.errors import FileError, InputError
 from usdmotion.options import configured
 from usdmotion.plugins import host
 from usdmotion.recording import Recording
 from usdmotion.report import Report
 from usdmotion.reporting import report, require_matplotlib
-from usdmotion.resampling import evenly
+from usdmotion.resampling import capture_evenly, evenly
 from usdmotion.session import Say, Session
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ def import_motion(
     name: str | None = None,
     reader: str | None = None,
     options: Mapping[str, object] | None = None,
-) -> Recording:
+) -> Recording | Capture:
     """Make a stage of a file of motion.
 
     Args:
@@ -44,7 +45,8 @@ def import_motion(
         options: Options of the reader.
 
     Returns:
-        What was written, with notes about what was decided on the way.
+        What was written, with notes about what was decided on the way: a recording of a skeleton,
+        or a capture of markers with their clusters.
 
     Raises:
         InputError: The file is refused, or nothing reads it.
@@ -59,10 +61,24 @@ def import_motion(
         if not name.isidentifier():
             raise InputError(f"the name '{name}' is no prim name; use letters, digits and '_'")
         recording = replace(recording, name=name)
+    if isinstance(recording, Capture):
+        capture = _completed(recording if fps is None else capture_evenly(recording, fps))
+        usd.write_capture(capture, output, frame_rate=fps, first=first)
+        return capture
     if fps is not None:
         recording = replace(recording, motion=evenly(recording.motion, fps), frame_rate=fps)
     usd.write_recording(recording, output, frame_rate=fps, first=first)
     return recording
+
+
+def _completed(capture: Capture) -> Capture:
+    """Return a capture with what can be told from its markers."""
+    from usdmotion.clustering import find_clusters
+
+    if capture.clusters:
+        return capture
+    clusters, notes = find_clusters(capture.markers)
+    return replace(capture, clusters=clusters, notes=(*capture.notes, *notes))
 
 
 def inspect(shot: Path) -> Inspection:

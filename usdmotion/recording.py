@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import ClassVar, Literal, Protocol, runtime_checkable
 
 from usdmotion.arrays import Floats, Ints, seal
+from usdmotion.capture import Capture
 from usdmotion.motion import Motion, Skeleton
 
 
@@ -36,6 +37,11 @@ class Recording:
         object.__setattr__(self, "tip_joints", tips)
         object.__setattr__(self, "tip_points", seal(self.tip_points, len(tips), 3))
 
+    @property
+    def summary(self) -> str:
+        """What it holds, in a few words."""
+        return f"{self.motion.frame_count} frames of {len(self.skeleton.joints)} joints"
+
 
 @runtime_checkable
 class Reader(Protocol):
@@ -45,8 +51,8 @@ class Reader(Protocol):
     suffixes: ClassVar[tuple[str, ...]]
     """File name endings that it reads, lower case with the dot."""
 
-    def read(self, path: Path) -> Recording:
-        """Read one file.
+    def read(self, path: Path) -> Recording | Capture:
+        """Read one file: a skeleton that moves, or markers without one.
 
         Raises:
             FileError: The file is refused; one sentence with the file and the line.

@@ -1,8 +1,11 @@
 """A motion at other times than its own."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from usdmotion.arrays import Floats
+from usdmotion.capture import Capture
 from usdmotion.kernels import slerp
 from usdmotion.motion import Motion
 
@@ -45,3 +48,27 @@ def evenly(motion: Motion, rate: float) -> Motion:
     start, end = motion.times[0], motion.times[-1]
     count = int((end - start) * rate + _SAMPLE_SLACK) + 1
     return resample(motion, start + np.arange(count) / rate)
+
+
+def capture_evenly(capture: Capture, rate: float) -> Capture:
+    """Return a capture whose markers have evenly spaced samples; plates and events keep theirs.
+
+    A marker is seen where it is seen on both samples around, and moves along straight lines.
+
+    Args:
+        capture: What to resample; it has no clusters and no skeleton yet.
+        rate: Samples per second.
+    """
+    own, markers = capture.times, capture.markers
+    count = int((own[-1] - own[0]) * rate + _SAMPLE_SLACK) + 1
+    times = own[0] + np.arange(count) / rate
+    place = np.clip((times - own[0]) * capture.frame_rate, 0.0, len(own) - 1.0)
+    whole = np.round(place)
+    place = np.where(np.abs(place - whole) < _SAMPLE_SLACK, whole, place)
+    before = np.floor(place).astype(np.int64)
+    after = np.ceil(place).astype(np.int64)
+    share = (place - before)[:, None, None]
+    positions = (1.0 - share) * markers.positions[before] + share * markers.positions[after]
+    seen = markers.seen[before] & markers.seen[after]
+    moved = replace(markers, positions=positions, seen=seen)
+    return replace(capture, frame_rate=rate, times=times, markers=moved)

@@ -44,5 +44,4 @@ def import_(
             options=options_of(option),
         )
     terminal.note(*recording.notes)
-    frames, joints = recording.motion.rotations.shape[:2]
-    terminal.tell(f"wrote {output}: {recording.name}, {frames} frames of {joints} joints")
+    terminal.tell(f"wrote {output}: {recording.name}, {recording.summary}")

@@ -5,9 +5,11 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
+from usdmotion.capture import Capture
 from usdmotion.contract import check_reader_kind
 from usdmotion.errors import FileError, PluginError
 from usdmotion.recording import Reader, Recording
+from usdmotion.testing.captures import check_capture
 
 
 def check_reader(reader: Reader, path: Path) -> None:
@@ -25,13 +27,20 @@ def check_reader(reader: Reader, path: Path) -> None:
     except PluginError as error:
         raise AssertionError(str(error)) from error
     assert path.name.lower().endswith(reader.suffixes), f"{path.name} is no file of this reader"
-    recording = reader.read(path)
-    _check_names(recording)
-    _check_motion(recording)
-    again = reader.read(path)
-    same = np.array_equal(recording.motion.rotations, again.motion.rotations) and np.array_equal(
-        recording.motion.translations, again.motion.translations
-    )
+    read, again = reader.read(path), reader.read(path)
+    if isinstance(read, Capture):
+        check_capture(read)
+        same = isinstance(again, Capture) and np.array_equal(
+            read.markers.positions, again.markers.positions
+        )
+    else:
+        _check_names(read)
+        _check_motion(read)
+        same = (
+            isinstance(again, Recording)
+            and np.array_equal(read.motion.rotations, again.motion.rotations)
+            and np.array_equal(read.motion.translations, again.motion.translations)
+        )
     assert same, "the same file must give the same motion"
     _check_refusal(reader)
 

@@ -12,6 +12,7 @@ except RegistrationError:  # a plugin that brings a broken schema takes nobody d
     register()
 
 from usdmotion.usd.authoring import author, author_edit
+from usdmotion.usd.captures import write_capture
 from usdmotion.usd.character_authoring import author_character
 from usdmotion.usd.edit_layers import read_outcomes
 from usdmotion.usd.inspection import Inspection, inspect
@@ -41,5 +42,6 @@ __all__ = [
     "read_outcomes",
     "variant",
     "write",
+    "write_capture",
     "write_recording",
 ]

@@ -3,7 +3,9 @@
 from pathlib import Path
 
 import numpy as np
+from pxr import Usd
 
+from usdmotion.arrays import Floats
 from usdmotion.motion import Body
 from usdmotion.recording import Recording
 from usdmotion.usd.character_authoring import author_character
@@ -26,23 +28,46 @@ def write_recording(
         FileError: It cannot be written there.
     """
     rate = frame_rate or recording.frame_rate
-    codes = first + recording.motion.times * rate
-    # Samples that were meant to be on whole frames are, whatever dividing by the rate has done.
-    whole = np.round(codes)
-    codes = np.where(np.abs(codes - whole) < SLACK, whole, codes)
-    start, end = float(codes[0]), float(codes[-1])
+    codes = codes_of(recording.motion.times, rate, first)
     root = recording.name
     with new_stage(
-        output, frame_rate=rate, first=start, last=end, up=recording.up, root=root
+        output,
+        frame_rate=rate,
+        first=float(codes[0]),
+        last=float(codes[-1]),
+        up=recording.up,
+        root=root,
     ) as stage:
-        author_character(
-            stage,
-            f"/{root}",
-            recording.skeleton,
-            Body.unknown(len(recording.skeleton.joints)),
-            recording.motion,
-            time_codes=codes,
-            names=recording.original_names,
-            tip_joints=recording.tip_joints,
-            tip_points=recording.tip_points,
-        )
+        author_recording(stage, f"/{root}", recording, codes)
+
+
+def author_recording(stage: Usd.Stage, path: str, recording: Recording, codes: Floats) -> None:
+    """Author the character of a recording.
+
+    Args:
+        stage: Where.
+        path: Path of its SkelRoot.
+        recording: What was captured.
+        codes: Time code of each sample.
+    """
+    author_character(
+        stage,
+        path,
+        recording.skeleton,
+        Body.unknown(len(recording.skeleton.joints)),
+        recording.motion,
+        time_codes=codes,
+        names=recording.original_names,
+        tip_joints=recording.tip_joints,
+        tip_points=recording.tip_points,
+    )
+
+
+def codes_of(times: Floats, rate: float, first: float) -> Floats:
+    """Return the time codes of times [s].
+
+    Samples that were meant to be on whole frames are, whatever dividing by the rate has done.
+    """
+    codes = first + times * rate
+    whole = np.round(codes)
+    return np.where(np.abs(codes - whole) < SLACK, whole, codes)
