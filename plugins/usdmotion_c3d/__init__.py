@@ -3,9 +3,12 @@
 from collections.abc import Iterable
 
 from usdmotion import Reader, hookimpl
+from usdmotion_c3d.reader import C3dReader
+
+__all__ = ["C3dReader"]
 
 
 @hookimpl
 def register_readers() -> Iterable[type[Reader]]:
     """Return the reader."""
-    return []
+    return [C3dReader]
