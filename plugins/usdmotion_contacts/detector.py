@@ -5,7 +5,8 @@ from typing import ClassVar
 
 import numpy as np
 
-from usdmotion import Contact, Detected, NoisePattern, OptionError, Search
+from usdmotion import Contact, Detected, NoisePattern, OptionError, Search, option
+from usdmotion_contacts.clock import restored, slowed
 from usdmotion_contacts.displacements import SLACK, displacements
 from usdmotion_contacts.estimate import estimate
 from usdmotion_contacts.instants import at_rest, turning
@@ -14,10 +15,12 @@ from usdmotion_contacts.pattern import is_taught, pattern_of, taught
 from usdmotion_contacts.places import places
 from usdmotion_contacts.projection import SigmaEpsilon, project
 from usdmotion_contacts.settling import settle
+from usdmotion_contacts.sliding import slides
 from usdmotion_contacts.stacking import LINE, POINT
 from usdmotion_contacts.turning import turns
 
-KINDS = ("space", "line", "point")
+KINDS = ("space", "line", "point", "plane", "slide")
+"""What it looks for."""
 
 
 @dataclass(frozen=True)
@@ -25,6 +28,14 @@ class ContactDetector:
     """Finds where an object is stationary, or turns about a line or a point, in spite of noise."""
 
     name: ClassVar[str] = "contacts"
+
+    clock: float = option(
+        1.0,
+        "Speed at which the motion is looked at: below 1, as with 0.25, taps are found that are "
+        "too quick otherwise, or that are taken for one.",
+        minimum=0.01,
+        maximum=1.0,
+    )
 
     def detect(self, search: Search) -> Detected:
         """Return what an object obeys.
@@ -38,12 +49,24 @@ class ContactDetector:
                     f"the detector 'contacts' cannot look for '{kind}'; it looks for "
                     + ", ".join(KINDS)
                 )
-        points = project(displacements(search))
-        pattern, notes = _pattern(search, points)
-        contacts = _turns(search, points, pattern) if {"line", "point"} & set(search.kinds) else []
-        if "space" in search.kinds:
-            contacts += _spaces(search, points, pattern, contacts)
-        return Detected(tuple(sorted(contacts, key=lambda each: each.start)), pattern, tuple(notes))
+        if self.clock < 1.0 and len(search.times) > 1:
+            return restored(_detected(slowed(search, self.clock)), self.clock, search.times)
+        return _detected(search)
+
+
+def _detected(search: Search) -> Detected:
+    """Return what an object obeys, step by step as in the paper's section 3.2."""
+    points = project(displacements(search))
+    pattern, notes = _pattern(search, points)
+    contacts = _turns(search, points, pattern) if {"line", "point"} & set(search.kinds) else []
+    if "space" in search.kinds:
+        contacts += _spaces(search, points, pattern, contacts)
+    for kind in ("plane", "slide"):
+        if kind in search.kinds:
+            epsilon = pattern.epsilon.at(search.times)
+            contacts += slides(search, points.displacements, kind, epsilon)
+    contacts.sort(key=lambda each: (each.start, KINDS.index(each.kind)))
+    return Detected(tuple(contacts), pattern, tuple(notes))
 
 
 def _pattern(search: Search, points: SigmaEpsilon) -> tuple[NoisePattern, list[str]]:

@@ -13,6 +13,7 @@ from usdmotion_contacts.noise import (
     without_outliers,
 )
 from usdmotion_contacts.projection import SigmaEpsilon
+from usdmotion_contacts.sliding import strays
 
 BELOW = 0.99
 """What turns, turns more than σ_max: σ_max is at most this share of the smallest σ3 of it."""
@@ -77,6 +78,9 @@ def _noise(search: Search, points: SigmaEpsilon, template: Template) -> Noise | 
         # What turned too much is wrongly labelled, and says nothing of ε either.
         epsilon = largest_noise(points.epsilon_3[inside][kept], NUMERICAL_EPSILON)
         return Noise(times, largest_noise(sigma, NUMERICAL_SIGMA), np.inf, epsilon)
+    if template.kind in ("plane", "slide"):
+        epsilon = largest_noise(strays(search, template), NUMERICAL_EPSILON)
+        return Noise(times, None, np.inf, epsilon)
     ceiling = BELOW * float(sigma[kept].min())
     epsilon = largest_noise(points.epsilon_1[inside], NUMERICAL_EPSILON)
     return Noise(times, None, ceiling, epsilon)

@@ -20,5 +20,5 @@ def test_noise_of_the_size_of_the_templates_cuts_nothing(detect, two_stances) ->
 
 
 def test_a_kind_that_nobody_knows_is_refused_with_those_that_are(detect, two_stances) -> None:
-    with pytest.raises(OptionError, match="'cone'; it looks for space, line, point"):
+    with pytest.raises(OptionError, match="'cone'; it looks for space, line, point, plane, slide"):
         detect(two_stances(kinds=("space", "cone")))
