@@ -7,9 +7,9 @@ from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdmotion.arrays import Floats, Ints
 from usdmotion.errors import SceneError
+from usdmotion.guides import GIRTH, SegmentGuide, segment_guide
 from usdmotion.kernels import forward, world_points
 from usdmotion.motion import Body, Motion, Skeleton
-from usdmotion.usd.guides import GIRTH, Guide, guide_of
 from usdmotion.usd.layers import write_animation
 from usdmotion.usd.shot import Samples
 from usdmotion.usd.transforms import matrices_of
@@ -69,7 +69,7 @@ def author_character(
     with Sdf.ChangeBlock():
         write_animation(spec, skeleton.joints, _samples(motion, time_codes, unit), ("scales",))
     tips = world_points(positions[0, tip_joints], orientations[0, tip_joints], tip_points)
-    guide = guide_of(skeleton.parents, positions[0], tip_joints, tips)
+    guide = segment_guide(skeleton.parents, positions[0], tip_joints, tips)
     if len(guide.faces):
         _author_guide(stage, f"{path}/Guide", prim, guide, unit)
     root.CreateExtentAttr(_extent(skeleton, motion, tip_joints, tip_points, unit))
@@ -137,7 +137,7 @@ def _samples(motion: Motion, time_codes: Floats, unit: float) -> Samples:
 
 
 def _author_guide(
-    stage: Usd.Stage, path: str, skeleton: Usd.Prim, guide: Guide, unit: float
+    stage: Usd.Stage, path: str, skeleton: Usd.Prim, guide: SegmentGuide, unit: float
 ) -> None:
     mesh = UsdGeom.Mesh.Define(stage, path)
     points = _vectors(guide.points / unit)

@@ -19,7 +19,7 @@ _FACES = np.array(
 
 
 @dataclass(frozen=True, eq=False)
-class Guide:
+class SegmentGuide:
     """A mesh whose every point follows one joint."""
 
     points: Floats
@@ -30,7 +30,7 @@ class Guide:
     """Corners of each triangle, counterclockwise seen from outside, shape (face_count, 3)."""
 
 
-def guide_of(parents: Ints, positions: Floats, tip_joints: Ints, tips: Floats) -> Guide:
+def segment_guide(parents: Ints, positions: Floats, tip_joints: Ints, tips: Floats) -> SegmentGuide:
     """Return the guide of a skeleton in a pose.
 
     Args:
@@ -47,7 +47,7 @@ def guide_of(parents: Ints, positions: Floats, tip_joints: Ints, tips: Floats) -
     joints, starts, ends = joints[long], starts[long], ends[long]
     points = _octahedra(starts, ends)
     firsts = 6 * np.arange(len(joints))
-    return Guide(
+    return SegmentGuide(
         points=points.reshape(-1, 3),
         joints=np.repeat(joints, 6),
         faces=(firsts[:, None, None] + _FACES).reshape(-1, 3),
