@@ -1,5 +1,19 @@
 """The shapes of what there is to look at: arrays in, arrays out, in metres."""
 
+from usdmotion.guides.contacts import ContactGuide, Held, contact_guide, size_of, trajectory
+from usdmotion.guides.palette import COLORS, Color, another
 from usdmotion.guides.segments import GIRTH, SegmentGuide, segment_guide
 
-__all__ = ["GIRTH", "SegmentGuide", "segment_guide"]
+__all__ = [
+    "COLORS",
+    "GIRTH",
+    "Color",
+    "ContactGuide",
+    "Held",
+    "SegmentGuide",
+    "another",
+    "contact_guide",
+    "segment_guide",
+    "size_of",
+    "trajectory",
+]

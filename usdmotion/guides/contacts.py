@@ -1,0 +1,139 @@
+"""What there is to see of a contact: held points, axis, number, the way in and out."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdmotion.arrays import Floats
+from usdmotion.guides.digits import strokes
+from usdmotion.guides.polylines import simplified
+from usdmotion.kernels import rotate
+
+_UNKNOWN_SIZE = 0.08
+"""Of an object that is one point, as the last joint of a limb [m]."""
+_BEYOND = 0.25
+"""How far an axis stands out beyond the object, over its size."""
+_HEIGHT, _GAP = 0.6, 0.2
+"""Height of a number, and how far it is above what is held, over the size of the object."""
+_DETAIL = 0.01
+"""How exactly ways are drawn, over the size of the object."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Held:
+    """A contact and the object that it holds, in the world."""
+
+    kind: str
+    """space, line, point, plane or slide."""
+    point: Floats
+    """The point that is held, in the frame of the object [m], shape (3,)."""
+    location: Floats
+    """Where it is held [m], shape (3,)."""
+    orientation: Floats
+    """Of the object, while it is held wholly, xyzw, shape (4,)."""
+    axis: Floats
+    """Of a line, the normal of a plane, or the way of a slide, shape (3,)."""
+    translations: Floats
+    """Where the object is during the contact [m], shape (frame_count, 3), at least one frame."""
+    rotations: Floats
+    """How it is turned, xyzw, shape (frame_count, 4)."""
+    way: Floats
+    """Where it is from when the contact eases in until it has eased out [m], shape (count, 3)."""
+
+
+@dataclass(frozen=True, eq=False)
+class ContactGuide:
+    """What there is to see of a contact, in the world."""
+
+    marks: Floats
+    """Points that are held [m], shape (mark_count, 3)."""
+    axis: Floats
+    """A polyline along what may turn or slide [m], shape (point_count, 3), or no points."""
+    way: Floats
+    """A polyline along the way of the object meanwhile [m]; one point where it stays."""
+    number: tuple[Floats, ...]
+    """Polylines [m], each (point_count, 3)."""
+    translation: Floats
+    """Where the object is in its contact [m], shape (3,)."""
+    rotation: Floats
+    """How it is turned there, xyzw, shape (4,)."""
+
+
+def size_of(points: Floats) -> float:
+    """Return how large an object is, by points that stand for it [m]."""
+    return float(np.linalg.norm(points, axis=1).max(initial=0.0)) or _UNKNOWN_SIZE
+
+
+def contact_guide(
+    held: Held, points: Floats, number: int, right: Floats, up: Floats
+) -> ContactGuide:
+    """Return what there is to see of a contact.
+
+    Args:
+        held: The contact.
+        points: Points that stand for the size of the object, in its frame [m], (point_count, 3).
+        number: What is written above it.
+        right: To where numbers are read, shape (3,).
+        up: Away from the ground, shape (3,).
+    """
+    size = size_of(points)
+    translation, rotation = _pose(held)
+    there = rotate(rotation, points) + translation
+    marks = there if held.kind == "space" else held.location[None]
+    top = np.concatenate([there, marks]) @ up
+    foot = held.location + (top.max() + _GAP * size - held.location @ up) * up
+    return ContactGuide(
+        marks=marks,
+        axis=_axis(held, there, size),
+        way=simplified(held.way, _DETAIL * size),
+        number=tuple(
+            foot + _HEIGHT * size * (stroke[:, :1] * right + stroke[:, 1:] * up)
+            for stroke in strokes(number)
+        ),
+        translation=translation,
+        rotation=rotation,
+    )
+
+
+def trajectory(translations: Floats, points: Floats) -> Floats:
+    """Return the way of an object as a polyline, one point where it stays.
+
+    Args:
+        translations: Where it is [m], shape (frame_count, 3).
+        points: Points that stand for its size, in its frame [m], shape (point_count, 3).
+    """
+    return simplified(translations, _DETAIL * size_of(points))
+
+
+def _pose(held: Held) -> tuple[Floats, Floats]:
+    """Return where an object is in its contact: where it is held, or halfway through."""
+    if held.kind == "space":
+        return held.location - rotate(held.orientation, held.point), held.orientation
+    middle = len(held.translations) // 2
+    return held.translations[middle], held.rotations[middle]
+
+
+def _axis(held: Held, there: Floats, size: float) -> Floats:
+    """Return what an object turns about, or where its held point slides."""
+    if held.kind not in ("line", "slide", "plane"):
+        return np.zeros((0, 3))
+    axis = held.axis / np.linalg.norm(held.axis)
+    places = rotate(held.rotations, held.point) + held.translations
+    if held.kind == "plane":
+        return _square(axis, held.location, places, size)
+    reach = (np.concatenate([there, places]) if held.kind == "line" else places) - held.location
+    along = reach @ axis
+    ends = np.array((along.min() - _BEYOND * size, along.max() + _BEYOND * size))
+    return np.asarray(held.location + ends[:, None] * axis)
+
+
+def _square(normal: Floats, location: Floats, places: Floats, size: float) -> Floats:
+    """Return an outline in a plane around all places of the held point."""
+    side = np.eye(3)[np.abs(normal).argmin()]
+    first = np.cross(normal, side)
+    first /= np.linalg.norm(first)
+    second = np.cross(normal, first)
+    flat = (places - location) @ np.stack([first, second], axis=1)
+    low, high = flat.min(axis=0) - _BEYOND * size, flat.max(axis=0) + _BEYOND * size
+    corners = np.array([low, (high[0], low[1]), high, (low[0], high[1]), low])
+    return np.asarray(location + corners @ np.stack([first, second]))
