@@ -2,10 +2,11 @@
 
 import os
 import uuid
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
-from pxr import Sdf, Tf, Vt
+from pxr import Sdf, Tf, UsdUtils, Vt
 
 from usdmotion.errors import FileError
 from usdmotion.usd.shot import Facts, Samples
@@ -55,7 +56,9 @@ def save(layer: Sdf.Layer, output: Path) -> None:
     """
     beside = output.with_name(f".{output.stem}.{uuid.uuid4().hex}{output.suffix}")
     try:
-        if not layer.Export(str(beside)):
+        with _without_false_alarms():
+            exported = layer.Export(str(beside))
+        if not exported:
             raise FileError(f"{output}: USD cannot write it")
         os.replace(beside, output)
     except Tf.ErrorException as error:
@@ -64,6 +67,20 @@ def save(layer: Sdf.Layer, output: Path) -> None:
         raise FileError(f"{output}: cannot be written: {error.strerror}") from error
     finally:
         beside.unlink(missing_ok=True)
+
+
+@contextmanager
+def _without_false_alarms() -> Iterator[None]:
+    """Keep from people what USD warns of whenever it writes a spline, whatever is in it."""
+    delegate = UsdUtils.CoalescingDiagnosticDelegate()
+    try:
+        yield
+    finally:
+        heard = delegate.TakeUncoalescedDiagnostics()
+        del delegate
+        for each in heard:
+            if "inner looping is deprecated" not in each.commentary:
+                Tf.Warn(each.commentary)
 
 
 def relative(path: str | Path, folder: str | Path) -> str:

@@ -28,10 +28,16 @@ def own_version() -> str:
 
 def input_hash(shot: Shot, take: Take) -> str:
     """Return a hash of everything that an edit's result depends on, but for its solver."""
-    digest = hashlib.sha256()
-    _feed(digest, [shot.facts, shot.scene(take.edit)])
     read = [field.name for field in dataclasses.fields(take) if field.name not in _NOT_READ]
-    _feed(digest, [getattr(take, name) for name in read])
+    given = [shot.facts, shot.scene(take.edit)]
+    return hash_of(given, [getattr(take, name) for name in read])
+
+
+def hash_of(*values: object) -> str:
+    """Return a hash of some plain values, arrays among them."""
+    digest = hashlib.sha256()
+    for value in values:
+        _feed(digest, value)
     return digest.hexdigest()
 
 

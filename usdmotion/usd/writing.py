@@ -73,11 +73,16 @@ def compose(shot: Shot, edit_layer: Path, output: Path) -> None:
     require_writable(output, inputs)
     paths = [relative(path, output.parent) for path in (edit_layer, shot.path)]
     layer = composed(shot.facts, paths)
+    name_fallbacks(layer)
+    save(layer, output)
+
+
+def name_fallbacks(layer: Sdf.Layer) -> None:
+    """Let a stage whose root a layer is show something where the schema is not known."""
     known = Usd.Stage.CreateInMemory()
     known.WriteFallbackPrimTypes()
     fallbacks = known.GetRootLayer().pseudoRoot.GetInfo("fallbackPrimTypes")
     layer.pseudoRoot.SetInfo("fallbackPrimTypes", fallbacks)
-    save(layer, output)
 
 
 def composed(facts: Facts, paths: Sequence[str]) -> Sdf.Layer:

@@ -1,0 +1,64 @@
+"""A layer over a shot while it is being made: a stage that shows both, on disk once it is whole."""
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pxr import Sdf, Usd
+
+from usdmotion.errors import SceneError
+from usdmotion.usd.layers import relative, require_writable, save
+from usdmotion.usd.provenance import own_version, recorded
+from usdmotion.usd.stages import composition_faults, open_stage, read_facts, refuse, used_files
+from usdmotion.usd.writing import composed, name_fallbacks
+
+
+@dataclass(frozen=True, eq=False)
+class Overlay:
+    """A layer that is read like its shot and has it as its sublayer."""
+
+    shot: Path
+    """The file under it."""
+    output: Path
+    """Where it is to be written."""
+    stage: Usd.Stage
+    """What both together show; its edit target is the layer."""
+    inputs: frozenset[str]
+    """Real path of every file that the shot is made of."""
+
+    @classmethod
+    def open(cls, shot: Path, output: Path) -> "Overlay":
+        """Begin a layer over a shot.
+
+        Raises:
+            FileError: The shot cannot be opened, or the layer must not be written there.
+            SceneError: The shot does not compose.
+        """
+        beneath = open_stage(shot)
+        try:
+            refuse(composition_faults(beneath))
+        except SceneError as error:
+            raise SceneError(f"{shot}: {error}") from error
+        inputs = used_files(beneath)
+        require_writable(output, inputs)
+        layer = composed(read_facts(beneath), [os.path.realpath(shot)])
+        name_fallbacks(layer)
+        return cls(shot, output, Usd.Stage.Open(layer), inputs)
+
+    def remember(self, **said: Any) -> None:
+        """Let the layer say of itself how it was made, on top of what it says already."""
+        layer = self.stage.GetRootLayer()
+        told = {**recorded(layer), "version": own_version(), **said}
+        layer.customLayerData = {**layer.customLayerData, "usdmotion": told}
+
+    def write(self) -> None:
+        """Write the layer, whole or not at all.
+
+        Raises:
+            FileError: It cannot be written.
+        """
+        written = Sdf.Layer.CreateAnonymous(".usda")
+        written.TransferContent(self.stage.GetRootLayer())
+        written.subLayerPaths[0] = relative(self.shot, self.output.parent)
+        save(written, self.output)
