@@ -62,6 +62,7 @@ def test_these_are_the_verbs() -> None:
     assert list(commands()) == [
         "import",
         "inspect",
+        "detect",
         "solve",
         "report",
         "plugins",

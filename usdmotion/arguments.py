@@ -1,7 +1,9 @@
-"""What the words of a command line say: options, times, frequencies."""
+"""What the words of a command line say: options, times, frequencies, names, examples."""
 
+import math
 from collections.abc import Sequence
 
+from usdmotion.asking import Example
 from usdmotion.errors import OptionError
 
 
@@ -47,3 +49,35 @@ def cutoff_of(clean: float | None) -> float | None:
     if clean is not None and not 0.0 <= clean < float("inf"):
         raise OptionError(f"--clean {clean:g} is no cutoff; give hertz, such as 10, or 0 for none")
     return clean
+
+
+def names_of(texts: Sequence[str] | None) -> tuple[str, ...]:
+    """Return names that are separated by commas, or said one after another."""
+    parts = (part.strip() for text in texts or () for part in text.split(","))
+    return tuple(part for part in parts if part)
+
+
+def template_of(text: str) -> Example:
+    """Return an example from JOINT:START:END[:KIND], read from the right.
+
+    So a joint's name may hold colons.
+
+    Raises:
+        OptionError: It is none.
+    """
+    parts = text.split(":")
+    kind = parts.pop() if not _is_number(parts[-1]) else "space"
+    name = ":".join(parts[:-2])
+    if len(parts) < 3 or not name or not all(_is_number(part) for part in parts[-2:]):
+        raise OptionError(
+            f"--template {text} is no example; write --template JOINT:START:END or "
+            "JOINT:START:END:KIND, as LeftFoot:10:24:space"
+        )
+    return Example(name, float(parts[-2]), float(parts[-1]), kind)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False

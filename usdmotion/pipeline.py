@@ -7,14 +7,17 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from usdmotion.asking import Asked, Example
 from usdmotion.capture import Capture
 from usdmotion.errors import FileError, InputError
 from usdmotion.options import configured
 from usdmotion.plugins import host
 from usdmotion.recording import Recording
 from usdmotion.report import Report
+from usdmotion.report.contacts import DetectionReport
 from usdmotion.reporting import report, require_matplotlib
 from usdmotion.resampling import capture_evenly, evenly
+from usdmotion.searching import search
 from usdmotion.session import Say, Session
 
 if TYPE_CHECKING:
@@ -91,6 +94,55 @@ def inspect(shot: Path) -> Inspection:
 
     _require(shot)
     return usd.inspect(shot, host().constraints)
+
+
+def detect(
+    shot: Path,
+    output: Path,
+    *,
+    joints: Sequence[str] = (),
+    prims: Sequence[str] = (),
+    kinds: Sequence[str] = (),
+    templates: Sequence[Example] = (),
+    detector: str = "",
+    options: Mapping[str, object] | None = None,
+    minimum: float | None = None,
+    edit: str = "",
+    say: Say = lambda _: None,
+) -> DetectionReport:
+    """Look for contacts on a shot, and write a layer over it that has them.
+
+    What is not asked for here is left to the MotionDetections of the stage. Where there are none,
+    the ankles and balls of all known feet are looked at.
+
+    Args:
+        shot: The stage; it may be a layer that was written before, or one over it.
+        output: The layer to write; the shot is its sublayer.
+        joints: Joints to look at, as tokens, leaf names or H-Anim names.
+        prims: Paths of animated prims to look at.
+        kinds: What to look for, some of space, line, point, plane, slide.
+        templates: Examples, from which the noise of the motion is learnt.
+        detector: Name of the detector.
+        options: Options of it, on top of those on the stage.
+        minimum: Contacts that last for less are dropped [s].
+        edit: Path of the MotionEdit whose skeleton is looked at.
+        say: Is told what is being done.
+
+    Raises:
+        InputError: The stage, or what is asked for, is at fault.
+        PluginError: The detector does not keep its contract.
+    """
+    asked = Asked(
+        joints=tuple(joints),
+        prims=tuple(prims),
+        templates=tuple(templates),
+        kinds=tuple(kinds),
+        detector=detector,
+        options=dict(options or {}),
+        minimum=minimum,
+        edit=edit,
+    )
+    return search(shot, output, asked, say=say)
 
 
 def solve(

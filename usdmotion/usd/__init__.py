@@ -14,9 +14,16 @@ except RegistrationError:  # a plugin that brings a broken schema takes nobody d
 from usdmotion.usd.authoring import author, author_edit
 from usdmotion.usd.captures import write_capture
 from usdmotion.usd.character_authoring import author_character
+from usdmotion.usd.detections import (
+    Found,
+    author_detections,
+    detection_provenance,
+    read_searches,
+)
 from usdmotion.usd.edit_layers import read_outcomes
 from usdmotion.usd.inspection import Inspection, inspect
 from usdmotion.usd.new_stages import new_stage
+from usdmotion.usd.overlays import Overlay
 from usdmotion.usd.prop_authoring import author_mesh, author_prop
 from usdmotion.usd.reading import read
 from usdmotion.usd.recordings import write_recording
@@ -26,20 +33,25 @@ from usdmotion.usd.variants import variant
 from usdmotion.usd.writing import compose, write
 
 __all__ = [
+    "Found",
     "Inspection",
+    "Overlay",
     "Result",
     "Shot",
     "author",
     "author_character",
+    "author_detections",
     "author_edit",
     "author_mesh",
     "author_prop",
     "author_region",
     "compose",
+    "detection_provenance",
     "inspect",
     "new_stage",
     "read",
     "read_outcomes",
+    "read_searches",
     "variant",
     "write",
     "write_capture",

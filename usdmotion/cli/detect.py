@@ -1,0 +1,89 @@
+"""Detect: what a motion already obeys is written as contacts over it."""
+
+import re
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from usdmotion.arguments import names_of, options_of, template_of
+from usdmotion.cli.application import app
+from usdmotion.cli.flags import Json, Options, Output, Quiet, Source
+from usdmotion.terminal import Terminal, write_text
+
+Joints = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="NAMES", help="Joints to look at: tokens, last names or H-Anim names, with commas."
+    ),
+]
+Prims = Annotated[
+    list[str] | None,
+    typer.Option(metavar="PATHS", help="Animated prims to look at, with commas."),
+]
+Kinds = Annotated[
+    list[str] | None,
+    typer.Option(metavar="KINDS", help="What to look for: space, line, point, plane, slide."),
+]
+Templates = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--template",
+        metavar="JOINT:START:END[:KIND]",
+        help="An example, in time codes, from which noise is learnt; may be repeated.",
+    ),
+]
+Minimum = Annotated[
+    float | None, typer.Option(metavar="SECONDS", help="Drop contacts that last for less.")
+]
+
+
+@app.command(
+    epilog="Example: usdmotion detect shot.usda -o shot.contacts.usda --joints wrist,elbow"
+)
+def detect(
+    shot: Source,
+    output: Output = None,
+    joints: Joints = None,
+    prims: Prims = None,
+    kinds: Kinds = None,
+    template: Templates = None,
+    detector: Annotated[str, typer.Option(help="Name of the detector.")] = "",
+    option: Options = None,
+    minimum: Minimum = None,
+    edit: Annotated[
+        str, typer.Option(metavar="PATH", help="Look at the skeleton of this edit only.")
+    ] = "",
+    json: Json = None,
+    quiet: Quiet = False,
+) -> None:
+    """Find contacts, and write a layer over the shot that has them."""
+    from usdmotion import pipeline
+
+    terminal = Terminal.open(quiet=quiet, json=json)
+    output = output or beside(shot)
+    with terminal.busy() as say:
+        found = pipeline.detect(
+            shot,
+            output,
+            joints=names_of(joints),
+            prims=names_of(prims),
+            kinds=names_of(kinds),
+            templates=[template_of(text) for text in template or ()],
+            detector=detector,
+            options=options_of(option),
+            minimum=minimum,
+            edit=edit,
+            say=say,
+        )
+    terminal.note(*found.notes)
+    if json is not None:
+        write_text(found.to_json(), json)
+    terminal.tell(*found.tables(), f"wrote {output}: {found.count} contacts")
+
+
+def beside(shot: Path) -> Path:
+    """Return where the contacts of a shot go when nobody says: never onto the shot itself."""
+    name, _, number = re.fullmatch(r"(.*?)(\.contacts(\d*))?", shot.stem).groups()  # type: ignore[union-attr]
+    again = "" if number is None else str(int(number or 1) + 1)
+    return shot.with_name(f"{name}.contacts{again}.usda")

@@ -1,0 +1,162 @@
+"""Contacts of a shot: looked for by a detector, written where they can be solved."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from usdmotion.asking import Asked
+from usdmotion.curves import Spline
+from usdmotion.detecting import KINDS, Detected, Detector, Search
+from usdmotion.errors import FileError, PluginError, SceneError
+from usdmotion.options import configured
+from usdmotion.options import options as options_of
+from usdmotion.plugins import host
+from usdmotion.report.contacts import ContactReport, DetectionReport, ObjectReport, PatternReport
+
+if TYPE_CHECKING:
+    from usdmotion.usd.detections import Authored, Entry, Found, Sought
+    from usdmotion.usd.overlays import Overlay
+
+Say = Callable[[str], None]
+"""Is told what is being done now, in a few words."""
+
+
+def search(shot: Path, output: Path, asked: Asked, *, say: Say = lambda _: None) -> DetectionReport:
+    """Look for contacts on a shot, and write a layer over it that has them.
+
+    Args:
+        shot: The stage.
+        output: The layer to write; the shot is its sublayer.
+        asked: What to look at, and for what.
+        say: Is told what is being done.
+
+    Raises:
+        InputError: The stage, or what is asked for, is at fault.
+        PluginError: A detector does not keep its contract.
+    """
+    from usdmotion.usd import Overlay
+
+    if not shot.is_file():
+        raise FileError(f"{shot}: there is no such file")
+    say(f"reading {shot}")
+    overlay = Overlay.open(shot, output)
+    report = search_over(overlay, asked, say=say)
+    say(f"writing {output}")
+    overlay.write()
+    return report
+
+
+def search_over(overlay: Overlay, asked: Asked, *, say: Say = lambda _: None) -> DetectionReport:
+    """Look for contacts on what a layer and its shot show, and put them into the layer.
+
+    Nothing is written to disk.
+
+    Args:
+        overlay: The layer over its shot.
+        asked: What to look at, and for what.
+        say: Is told what is being done.
+
+    Raises:
+        InputError: The stage, or what is asked for, is at fault.
+        PluginError: A detector does not keep its contract.
+    """
+    from usdmotion import usd
+
+    try:
+        searches = usd.read_searches(overlay.stage, asked)
+    except SceneError as error:
+        raise SceneError(f"{overlay.shot}: {error}") from error
+    found = []
+    for each in searches:
+        say(f"looking at {each.search.name}")
+        found.append(_found(each))
+    authored = usd.author_detections(overlay.stage, found)
+    report = DetectionReport(
+        tuple(_object(each) for each in authored),
+        tuple(note for each in authored for note in each.notes),
+    )
+    overlay.remember(detection=usd.detection_provenance(authored, report.notes))
+    return report
+
+
+def _found(sought: Sought) -> Found:
+    from usdmotion.usd import Found
+
+    kind = host().detector(sought.detector)
+    detector = configured(kind, sought.options)
+    detected = _checked(detector, sought.search)
+    options = {each.name: getattr(detector, each.name) for each in options_of(kind)}
+    return Found(sought, detected, options)
+
+
+def _checked(detector: Detector, search: Search) -> Detected:
+    """Return what a detector finds, and hold it to its contract.
+
+    Raises:
+        PluginError: What it gives back cannot be written.
+    """
+    detected = detector.detect(search)
+    if not isinstance(detected, Detected):
+        raise PluginError(
+            f"the detector '{detector.name}' returns {type(detected).__name__}, not Detected"
+        )
+    first, last = float(search.times[0]) - 1e-6, float(search.times[-1]) + 1e-6
+    for each in detected.contacts:
+        if each.kind not in KINDS or not first <= each.start <= each.end <= last:
+            raise PluginError(
+                f"the detector '{detector.name}' finds a contact of the kind '{each.kind}' from "
+                f"{each.start:g} to {each.end:g} s on {search.name}, which is none within "
+                f"{search.times[0]:g} to {search.times[-1]:g} s"
+            )
+    return detected
+
+
+def _object(authored: Authored) -> ObjectReport:
+    sought = authored.found.sought
+    codes = sought.trajectory.time_codes
+    rate = sought.facts.time_codes_per_second
+    return ObjectReport(
+        path=sought.path,
+        object=sought.object,
+        detector=sought.detector,
+        kinds=sought.search.kinds,
+        frames=len(codes),
+        first=float(codes[0]),
+        last=float(codes[-1]),
+        pattern=_pattern(sought, authored.found.detected),
+        contacts=tuple(_contact(sought.path, entry, rate) for entry in authored.entries),
+    )
+
+
+def _contact(path: str, entry: Entry, rate: float) -> ContactReport:
+    return ContactReport(
+        path=f"{path}/{entry.name}",
+        kind=entry.interval.kind,
+        start=entry.interval.start,
+        end=entry.interval.end,
+        seconds=(entry.interval.end - entry.interval.start) / rate,
+        residual=entry.contact.residual if entry.contact and entry.found else None,
+        state=entry.state,
+    )
+
+
+def _pattern(sought: Sought, detected: Detected) -> PatternReport | None:
+    pattern = detected.pattern
+    if pattern is None:
+        return None
+    given = "templates" if sought.search.templates else "prim" if sought.search.pattern else ""
+    times = sought.search.times
+    return PatternReport(
+        given or "estimate",  # type: ignore[arg-type]
+        _range(pattern.sigma, times),
+        _range(pattern.epsilon, times),
+    )
+
+
+def _range(spline: Spline, times: np.ndarray) -> tuple[float, float]:
+    values = spline.at(times)
+    return float(values.min()), float(values.max())

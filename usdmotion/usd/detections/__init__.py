@@ -1,0 +1,20 @@
+"""Contacts of a stage: what is looked at, what for, and how what was found is written."""
+
+from usdmotion.usd.detections.authoring import (
+    Authored,
+    Found,
+    author_detections,
+    detection_provenance,
+)
+from usdmotion.usd.detections.entries import Entry
+from usdmotion.usd.detections.searches import Sought, read_searches
+
+__all__ = [
+    "Authored",
+    "Entry",
+    "Found",
+    "Sought",
+    "author_detections",
+    "detection_provenance",
+    "read_searches",
+]

@@ -1,0 +1,101 @@
+"""One contact as the spec of a prim, and what is remembered of it."""
+
+from typing import Any
+
+import numpy as np
+from pxr import Gf, Sdf
+
+from usdmotion.arrays import Floats
+from usdmotion.detecting import Contact
+from usdmotion.usd.attribute_authoring import time_code_array
+from usdmotion.usd.detections.contact_prims import MEMORY, REMEMBERED, WORLD
+from usdmotion.usd.detections.entries import Entry
+from usdmotion.usd.detections.frames import Frame
+from usdmotion.usd.detections.searches import Sought
+from usdmotion.usd.layers import over, relate, set_value
+
+_TYPES = {
+    "kind": Sdf.ValueTypeNames.Token,
+    "joint": Sdf.ValueTypeNames.Token,
+    "times": Sdf.ValueTypeNames.TimeCodeArray,
+    "point": Sdf.ValueTypeNames.Point3d,
+    "location": Sdf.ValueTypeNames.Point3d,
+    "orientation": Sdf.ValueTypeNames.Quatd,
+    "axis": Sdf.ValueTypeNames.Vector3f,
+    "residual": Sdf.ValueTypeNames.Double,
+    "template": Sdf.ValueTypeNames.Bool,
+}
+
+
+def author_contact(layer: Sdf.Layer, sought: Sought, entry: Entry, frame: Frame) -> None:
+    """Write a contact, made where it is not there yet.
+
+    Args:
+        layer: Where.
+        sought: What was looked for, and on what.
+        entry: The contact.
+        frame: The frame above it.
+    """
+    assert entry.contact is not None
+    prim = over(layer, f"{sought.path}/{entry.name}")
+    if entry.new:
+        define(prim, "MotionContactConstraint")
+    elif entry.state == "detected":
+        prim.SetInfo("active", True)
+    values = _values(sought, entry, entry.contact, frame)
+    for name, value in values.items():
+        set_value(prim, f"usdmotion:{name}", _TYPES[name], value)
+    if sought.watched.prim is not None:
+        relate(prim, "usdmotion:object", sought.object)
+    if frame.is_world:
+        relate(prim, "usdmotion:space", f"{sought.path}/{WORLD}")
+    remember(prim, values, entry)
+
+
+def drop(layer: Sdf.Layer, sought: Sought, entry: Entry) -> None:
+    """Switch off a contact that was not found again; it is remembered who did it."""
+    prim = over(layer, f"{sought.path}/{entry.name}")
+    prim.SetInfo("active", False)
+    prim.customData[MEMORY] = {**prim.customData.get(MEMORY, {}), "dropped": True}
+
+
+def define(prim: Sdf.PrimSpec, schema: str) -> None:
+    """Make a spec that of a prim of a schema class that nobody renders."""
+    prim.specifier = Sdf.SpecifierDef
+    prim.typeName = schema
+    set_value(prim, "purpose", Sdf.ValueTypeNames.Token, "guide")
+
+
+def remember(prim: Sdf.PrimSpec, values: dict[str, Any], entry: Entry) -> None:
+    """Keep what was written of a contact, to tell later what a person has changed."""
+    example = entry.example
+    codes = (example.start, example.end) if example and entry.state == "template" else ()
+    memory = {name: _plain(values[name]) for name in REMEMBERED}
+    # Dictionaries of several layers are one, so that every key has to be said.
+    memory |= {"dropped": False, "example": time_code_array(codes)}
+    prim.customData[MEMORY] = memory
+
+
+def _values(sought: Sought, entry: Entry, contact: Contact, frame: Frame) -> dict[str, Any]:
+    unit = sought.facts.meters_per_unit
+    middle = 0.5 * (entry.interval.start + entry.interval.end)
+    turned = frame.orientation(contact.orientation)
+    values = {
+        "kind": contact.kind,
+        "joint": sought.watched.joint,
+        "times": time_code_array(entry.times),
+        "point": _vector(contact.point / sought.trajectory.units_at(middle)),
+        "location": _vector(frame.point(contact.location / unit)),
+        "orientation": Gf.Quatd(float(turned[3]), *(float(each) for each in turned[:3])),
+        "axis": Gf.Vec3f(*(float(each) for each in frame.direction(contact.axis))),
+        "residual": contact.residual / unit,
+    }
+    return values | ({"template": True} if entry.state == "template" else {})
+
+
+def _plain(value: Any) -> Any:
+    return np.asarray(value).tolist() if isinstance(value, np.generic) else value
+
+
+def _vector(values: Floats) -> Gf.Vec3d:
+    return Gf.Vec3d(*(float(each) for each in values))

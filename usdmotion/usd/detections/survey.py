@@ -1,0 +1,115 @@
+"""A stage while contacts are looked for on it: its units, skeletons and detections, read once."""
+
+from functools import cached_property
+
+import numpy as np
+from pxr import Usd
+
+from usdmotion.arrays import Floats
+from usdmotion.errors import SceneError
+from usdmotion.usd.detections.performers import Performer, read_performer
+from usdmotion.usd.relations import bound_animation, edit_of, is_a, skeleton_of, target, value
+from usdmotion.usd.stages import read_facts
+
+_UP = {"Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
+
+
+class Survey:
+    """What a detection has to know of a stage."""
+
+    def __init__(self, stage: Usd.Stage, edit: str = "") -> None:
+        """Look at a stage.
+
+        Args:
+            stage: The stage, whole.
+            edit: Path of the only MotionEdit whose skeleton is of interest, "" for all.
+
+        Raises:
+            SceneError: There is no such edit, or it solves no Skeleton.
+        """
+        self.stage = stage
+        self.facts = read_facts(stage)
+        switched_off_too = Usd.PrimIsDefined & ~Usd.PrimIsAbstract
+        self._prims = [
+            prim
+            for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies(switched_off_too))
+            if is_a(prim, "UsdGeomImageable")
+        ]
+        self._performers: dict[str, Performer] = {}
+        self.only = self._edit(edit) if edit else None
+
+    @property
+    def up(self) -> Floats:
+        """The direction away from the ground, shape (3,)."""
+        return np.array(_UP[self.facts.up_axis])
+
+    @cached_property
+    def detections(self) -> list[Usd.Prim]:
+        """The MotionDetections, those that are switched off too."""
+        return [prim for prim in self._prims if is_a(prim, "UsdMotionDetection")]
+
+    @cached_property
+    def edits(self) -> list[Usd.Prim]:
+        """The MotionEdits that contacts can be put into."""
+        return [
+            prim
+            for prim in self._prims
+            if is_a(prim, "UsdMotionEdit") and prim.IsActive() and not prim.IsInstanceProxy()
+        ]
+
+    @property
+    def performers(self) -> list[Performer]:
+        """The skeletons that are of interest and that something moves."""
+        if self.only is not None:
+            skeleton = skeleton_of(self.only)
+            assert skeleton is not None
+            return [self.performer(skeleton)]
+        skeletons = [prim for prim in self._prims if is_a(prim, "UsdSkelSkeleton")]
+        return [
+            self.performer(prim)
+            for prim in skeletons
+            if prim.IsActive() and (bound_animation(prim) is not None or self.edit_for(prim))
+        ]
+
+    def performer(self, skeleton: Usd.Prim) -> Performer:
+        """Return a skeleton with its motion, read once.
+
+        Raises:
+            SceneError: Its motion cannot be read.
+        """
+        path = str(skeleton.GetPath())
+        if path not in self._performers:
+            edit = self.edit_for(skeleton)
+            self._performers[path] = read_performer(skeleton, edit, self.facts, self.up)
+        return self._performers[path]
+
+    def edit_for(self, skeleton: Usd.Prim) -> Usd.Prim | None:
+        """Return the edit that contacts of a skeleton's joints go into: the first, if any."""
+        edits = [self.only] if self.only is not None else self.edits
+        return next((edit for edit in edits if skeleton_of(edit) == skeleton), None)
+
+    def detection_of(self, path: str, joint: str) -> Usd.Prim | None:
+        """Return the first detection that looks at a joint of a Skeleton, or at a prim and ""."""
+        found = self._known.get((path, joint))
+        if found is not None and self.only is not None and joint and edit_of(found) != self.only:
+            return None
+        return found
+
+    @cached_property
+    def _known(self) -> dict[tuple[str, str], Usd.Prim]:
+        found: dict[tuple[str, str], Usd.Prim] = {}
+        for prim in self.detections:
+            joint = str(value(prim, "usdmotion:joint", ""))
+            of = skeleton_of(prim) if joint else target(prim, "usdmotion:object")
+            if of is not None:
+                found.setdefault((str(of.GetPath()), joint), prim)
+        return found
+
+    def _edit(self, path: str) -> Usd.Prim:
+        for edit in self.edits:
+            if str(edit.GetPath()) == path:
+                if skeleton_of(edit) is None:
+                    raise SceneError(f"<{path}> solves no Skeleton; set usdmotion:skeleton")
+                return edit
+        known = ", ".join(str(edit.GetPath()) for edit in self.edits) or "none"
+        raise SceneError(f"<{path}> is no MotionEdit; there are: {known}")
