@@ -57,6 +57,11 @@ class ContactDetector:
 def _detected(search: Search) -> Detected:
     """Return what an object obeys, step by step as in the paper's section 3.2."""
     points = project(displacements(search))
+    if not points.displacements.count:
+        step = points.displacements.step
+        return Detected(
+            (), search.pattern, (f"'{search.name}' has no two samples {step:g} s apart",)
+        )
     pattern, notes = _pattern(search, points)
     contacts = _turns(search, points, pattern) if {"line", "point"} & set(search.kinds) else []
     if "space" in search.kinds:
