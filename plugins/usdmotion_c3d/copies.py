@@ -16,6 +16,8 @@ from usdmotion_c3d.records import BLOCK, DEC, MIPS, Parameter, Source
 _INTEL = 84
 _LIMIT = 255 * BLOCK
 """Most that parameters can take up, as their length is one byte of blocks."""
+_MOST = 255
+"""Most elements along one axis of a parameter; what is more goes on in a second one."""
 
 
 @dataclass(frozen=True)
@@ -140,11 +142,13 @@ def _complete(source: Source, groups: dict[str, dict[str, Parameter]], layout: L
     offset = analog.pop("OFFSETS", None) or analog.get("OFFSET")
     if offset is not None:
         analog["OFFSET"] = _as_whole(offset, source)
+    if channels > _MOST and not {"OFFSET2", "SCALE2"} <= analog.keys():
+        raise FileError(f"{source.path}: it says no scale for some of its {channels} channels")
     # Channels of which it says no offset have none, those of which it says no scale have 1.
     one = {2: b"\0\0", 4: _number(1.0, source)}
     for name, kind in (("OFFSET", 2), ("SCALE", 4)):
         known = analog[name].values if name in analog and analog[name].kind == kind else b""
-        values = known + one[kind] * (channels - len(known) // kind)
+        values = known + one[kind] * (min(channels, _MOST) - len(known) // kind)
         analog[name] = Parameter(name, kind, (len(values) // kind,), values)
 
 

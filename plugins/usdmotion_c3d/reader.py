@@ -7,8 +7,9 @@ from typing import ClassVar
 
 import numpy as np
 
-from usdmotion import Capture, Floats, Markers, option
+from usdmotion import Capture, Markers, option
 from usdmotion_c3d.events import read_events
+from usdmotion_c3d.plates import corners_of, read_plates
 from usdmotion_c3d.points import choose_markers, fill_gaps
 from usdmotion_c3d.scales import decide_up, metres_of, upright
 from usdmotion_c3d.trials import read_trial
@@ -30,6 +31,9 @@ class C3dReader:
         "The axis of the file that points up.",
         choices=("auto", "X", "Y", "Z", "-X", "-Y", "-Z"),
     )
+    force_rate: float = option(
+        0.0, "Samples per second of the force plates; 0 is one for each frame.", minimum=0.0
+    )
 
     def read(self, path: Path) -> Capture:
         """Read one file.
@@ -41,14 +45,17 @@ class C3dReader:
         kept, labels, notes = choose_markers(trial)
         metres = metres_of(trial, self.unit, notes)
         raw = trial.points[:, kept] * metres[kept, None]
-        corners: list[Floats] = []
-        up, axes = upright(decide_up(trial, raw, corners, self.up, notes))
+        metre = float(np.median(metres))
+        up, axes = upright(decide_up(trial, raw, corners_of(trial, metre), self.up, notes))
+        height = "XYZ".index(up)
+        plates = read_plates(trial, metre, axes, height, self.force_rate, notes)
         return Capture(
             name=_name(path),
             up=up,
             frame_rate=trial.rate,
             times=np.arange(len(raw)) / trial.rate,
             markers=Markers(labels, fill_gaps(raw) @ axes.T, ~np.isnan(raw[..., 0])),
+            plates=plates,
             events=read_events(trial),
             notes=(*trial.notes, *notes),
         )
