@@ -31,8 +31,10 @@ def seal(
         ShapeError: The shape is another one.
     """
     array = np.asarray(values, dtype=dtype)
-    fits = array.ndim == len(shape) and all(
-        want is None or want == have for want, have in zip(shape, array.shape, strict=True)
+    # The first comparison says the same of most arrays, in a tenth of the time.
+    fits = array.shape == shape or (
+        array.ndim == len(shape)
+        and all(want is None or want == have for want, have in zip(shape, array.shape, strict=True))
     )
     if not fits:
         wanted = ", ".join("any" if length is None else str(length) for length in shape)

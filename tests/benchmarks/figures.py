@@ -16,6 +16,7 @@ from time import perf_counter
 for _library in ("OPENBLAS", "MKL", "OMP"):
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
 
+import detecting  # noqa: E402
 import numpy as np  # noqa: E402
 from pxr import Sdf, Usd, Vt  # noqa: E402
 from reaching import (  # noqa: E402
@@ -41,6 +42,9 @@ from usdmotion.solved import SolvedScene  # noqa: E402
 
 AIM_OF_AN_ITERATION = 10e-6 / 97e-3
 """Ten microseconds where forty products of two 400 × 400 matrices take 97 ms."""
+
+THE_WALK_OF_2006 = 34e-3
+"""What the paper's walk took with one template on a Pentium 4 (2006, table 1) [s]."""
 
 
 @dataclass(frozen=True)
@@ -154,6 +158,29 @@ def drags(seconds: float, frames: int, offset: Floats, what: str) -> Figure:
     return Figure(what, sorted(took)[len(took) // 2], "a frame at 60 Hz", 1 / 60, 0.016 * 60)
 
 
+def detection(small: bool) -> list[Figure]:
+    """Return the figures of the detector, on one core."""
+    frames, joints = (400, 2) if small else (10_000, 31)
+    detector = host().detector("contacts")()
+    foot, every = detecting.toes(400), detecting.searches(frames, joints)
+    return [
+        Figure(
+            "contacts, 400 frames, one object, one template",
+            least(lambda: detector.detect(foot), 20),
+            "the walk of 400 frames in 2006",
+            THE_WALK_OF_2006,
+            1e-3 / THE_WALK_OF_2006,
+        ),
+        Figure(
+            f"contacts, {frames} frames of {joints} joints",
+            least(lambda: [detector.detect(each) for each in every]),
+            "40 products of 400 × 400 matrices",
+            products(),
+            0.2 / 97e-3,
+        ),
+    ]
+
+
 def bare_write(path: Path, joints: list[str], codes: list[float], arrays: list[np.ndarray]) -> None:
     """Write a SkelAnimation by the fastest honest calls of USD."""
     layer = Sdf.Layer.CreateAnonymous(".usdc")
@@ -242,7 +269,7 @@ def table(figures: list[Figure]) -> Table:
 def main(small: bool) -> list[Figure]:
     """Measure everything and print the table."""
     with tempfile.TemporaryDirectory() as folder:
-        figures = [*solving(small), *stages(small, Path(folder))]
+        figures = [*solving(small), *detection(small), *stages(small, Path(folder))]
     Console(width=140).print(table(figures))
     return figures
 
