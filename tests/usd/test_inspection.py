@@ -77,6 +77,14 @@ def test_contacts_are_told(found):
     assert (contact.times, contact.template) == ((2, 3), True)
 
 
+def test_detections_are_told_with_how_many_contacts_they_have(found):
+    (foot,) = found.detections
+    assert (foot.path, foot.object) == ("/Man/Bones/Edit/Foot", "hip/knee/ankle")
+    assert (foot.edit, foot.detector, foot.kinds) == ("/Man/Bones/Edit", "contacts", ("space",))
+    assert (foot.contacts, foot.templates, foot.switched_off) == (1, 1, 0)
+    assert not foot.pattern
+
+
 def test_everything_goes_into_json(found):
     data = json.loads(json.dumps(dataclasses.asdict(found)))
     assert data["constraints"][0]["goals"] == ["Here (position)", "Further (offset)"]

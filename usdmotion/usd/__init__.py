@@ -21,7 +21,8 @@ from usdmotion.usd.detections import (
     read_searches,
 )
 from usdmotion.usd.edit_layers import read_outcomes
-from usdmotion.usd.inspection import Inspection, inspect
+from usdmotion.usd.inspected import Inspection
+from usdmotion.usd.inspection import inspect
 from usdmotion.usd.new_stages import new_stage
 from usdmotion.usd.overlays import Overlay
 from usdmotion.usd.prop_authoring import author_mesh, author_prop

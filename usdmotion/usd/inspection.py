@@ -1,7 +1,6 @@
 """What is on a stage, as plain values that a table or JSON can show; nothing is solved."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -9,11 +8,23 @@ from pxr import Usd, UsdSkel
 
 from usdmotion.constraints import Constraint
 from usdmotion.errors import SceneError
-from usdmotion.usd.balance import Note, falls
+from usdmotion.usd.balance import falls
 from usdmotion.usd.clips import own_times
 from usdmotion.usd.constraints import constraint_prims, goal_prims
+from usdmotion.usd.detections.contact_prims import contact_prims
+from usdmotion.usd.detections.noise_patterns import has_pattern
+from usdmotion.usd.detections.searches import DEFAULT_DETECTOR
 from usdmotion.usd.edits import DEFAULT_SOLVER, options_of
-from usdmotion.usd.faults import Fault, find
+from usdmotion.usd.faults import find
+from usdmotion.usd.inspected import (
+    ClipFacts,
+    ConstraintFacts,
+    ContactFacts,
+    DetectionFacts,
+    EditFacts,
+    Inspection,
+    SkeletonFacts,
+)
 from usdmotion.usd.origins import source_of
 from usdmotion.usd.relations import (
     bound_animation,
@@ -26,112 +37,6 @@ from usdmotion.usd.relations import (
 )
 from usdmotion.usd.roots import root_of
 from usdmotion.usd.stages import composition_faults, open_stage, read_facts
-
-
-@dataclass(frozen=True, slots=True)
-class SkeletonFacts:
-    """One Skeleton."""
-
-    path: str
-    joint_count: int
-    root: str
-    """The joint with six degrees of freedom in a solve."""
-    animation: str
-    """Path of the SkelAnimation that is bound, "" for none."""
-    rest: bool
-    """Whether it has rest transforms, one for each joint."""
-    bind: bool
-    """Whether it has bind transforms, one for each joint."""
-    instance: bool
-    """Whether it is inside an instance."""
-    parts: int
-    """How many joints are known to be which part of a body."""
-    joints: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class ClipFacts:
-    """One SkelAnimation."""
-
-    path: str
-    joint_count: int
-    samples: int
-    first: float | None
-    """Time code of its first sample."""
-    last: float | None
-    rate: float | None
-    """Samples per second, by the median of their distances."""
-    edit: str
-    """Path of the MotionEdit that it is a result of, "" for none."""
-    source: str
-    """Path of the SkelAnimation that it was made from, "" for none."""
-
-
-@dataclass(frozen=True, slots=True)
-class EditFacts:
-    """One MotionEdit."""
-
-    path: str
-    skeleton: str
-    source: str
-    solver: str
-    range: tuple[float, ...]
-    """First and last time code; empty is all of the source."""
-    sample_rate: float
-    constraint_count: int
-    options: tuple[str, ...]
-    """Each as name=value."""
-
-
-@dataclass(frozen=True, slots=True)
-class ConstraintFacts:
-    """One constraint of an edit."""
-
-    path: str
-    type: str
-    edit: str
-    priority: int
-    joint: str
-    recruits: tuple[str, ...]
-    """Empty: from its joint up to the root."""
-    times: tuple[float, ...]
-    goals: tuple[str, ...]
-    """Name and mode of each."""
-    solvable: bool
-    """Whether something installed can solve such constraints."""
-
-
-@dataclass(frozen=True, slots=True)
-class ContactFacts:
-    """One contact, detected or authored."""
-
-    path: str
-    kind: str
-    target: str
-    """The joint, or the path of the prim, that is held."""
-    times: tuple[float, ...]
-    template: bool
-
-
-@dataclass(frozen=True, slots=True)
-class Inspection:
-    """What is on a stage."""
-
-    file: str
-    meters_per_unit: float
-    up_axis: str
-    time_codes_per_second: float
-    frames_per_second: float
-    start: float | None
-    end: float | None
-    default_prim: str
-    skeletons: tuple[SkeletonFacts, ...]
-    clips: tuple[ClipFacts, ...]
-    edits: tuple[EditFacts, ...]
-    constraints: tuple[ConstraintFacts, ...]
-    contacts: tuple[ContactFacts, ...]
-    faults: tuple[Fault, ...]
-    notes: tuple[Note, ...]
 
 
 def inspect(path: Path, kinds: Sequence[type[Constraint]]) -> Inspection:
@@ -167,6 +72,7 @@ def inspect(path: Path, kinds: Sequence[type[Constraint]]) -> Inspection:
         ),
         edits=tuple(_edit(prim) for prim in edits),
         constraints=tuple(_constraint(prim, known) for prim in constraints),
+        detections=tuple(_detection(prim) for prim in prims if is_a(prim, "UsdMotionDetection")),
         contacts=tuple(
             _contact(prim) for prim in prims if is_a(prim, "UsdMotionContactConstraint")
         ),
@@ -253,6 +159,23 @@ def _constraint(prim: Usd.Prim, known: set[str]) -> ConstraintFacts:
             for goal in goal_prims(prim)
         ),
         solvable=str(prim.GetTypeName()) in known,
+    )
+
+
+def _detection(prim: Usd.Prim) -> DetectionFacts:
+    contacts = contact_prims(prim)
+    on = [each for each in contacts if each.IsActive()]
+    edit = edit_of(prim)
+    return DetectionFacts(
+        path=str(prim.GetPath()),
+        object=str(value(prim, "usdmotion:joint", "")) or _target(prim, "usdmotion:object"),
+        edit=str(edit.GetPath()) if edit else "",
+        detector=str(value(prim, "usdmotion:detector", "")) or DEFAULT_DETECTOR,
+        kinds=tuple(str(kind) for kind in value(prim, "usdmotion:kinds", ())),
+        contacts=len(on),
+        templates=sum(bool(value(each, "usdmotion:template", False)) for each in on),
+        switched_off=len(contacts) - len(on),
+        pattern=has_pattern(prim),
     )
 
 

@@ -82,6 +82,13 @@ def overshoot(stage):
     stage.GetPrimAtPath(f"{EDIT}/Hand").GetAttribute("usdmotion:activity").SetSpline(spline)
 
 
+def half(stage):
+    """Only one of the two curves of a noise pattern is there, whatever was."""
+    put(f"{EDIT}/Detection", "usdmotion:sigmaMax", 0.1)(stage)
+    epsilon = stage.GetPrimAtPath(f"{EDIT}/Detection").GetAttribute("usdmotion:epsilonMax")
+    epsilon.Clear()
+
+
 def stretch(stage):
     UsdGeom.Xformable(stage.GetPrimAtPath("/Body")).AddScaleOp().Set(Gf.Vec3f(1, 2, 1))
 
@@ -152,6 +159,12 @@ CASES = [
     ("NoOtherEnd", put(f"{EDIT}/Distance", "usdmotion:otherJoint", "")),
     ("NoRegion", point(f"{EDIT}/Region", "usdmotion:region")),
     ("ZeroAxis", put(f"{EDIT}/Aim", "usdmotion:aim", (0, 0, 0))),
+    ("NoObject", put(f"{EDIT}/Detection", "usdmotion:joint", "")),
+    ("TwoObjects", point(f"{EDIT}/Detection", "usdmotion:object", "/Prop")),
+    ("UnknownDetector", put(f"{EDIT}/Detection", "usdmotion:detector", "contact")),
+    ("HalfAPattern", half),
+    ("OutOfLimits", put(f"{EDIT}/Detection", "usdmotion:minimum", -1.0)),
+    ("OutOfLimits", animate(f"{EDIT}/Detection", "usdmotion:sigmaMax", 0.1, -0.1)),
     ("RecruitingRule", put(f"{EDIT}/Foot", "usdmotion:recruits", ["hips/leg"])),
     ("NoJoints", put(SKELETON, "joints", [])),
     ("NoJoints", put("/Body/Walk", "joints", [])),

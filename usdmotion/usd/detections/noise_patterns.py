@@ -11,7 +11,8 @@ from usdmotion.curves import Spline
 from usdmotion.detecting import NoisePattern
 from usdmotion.usd.attribute_authoring import time_code_array
 from usdmotion.usd.clips import merged
-from usdmotion.usd.relations import floats, mistyped
+from usdmotion.usd.faults.detections import says_pattern
+from usdmotion.usd.relations import floats
 from usdmotion.usd.shot import Facts
 
 SIGMA, EPSILON = "usdmotion:sigmaMax", "usdmotion:epsilonMax"
@@ -42,13 +43,7 @@ def read_pattern(prim: Usd.Prim, time_codes: Floats, facts: Facts) -> NoisePatte
 
 def has_pattern(prim: Usd.Prim) -> bool:
     """Tell whether a detection says how much both σ and ε may be."""
-    return all(_says(prim, name) for name in (SIGMA, EPSILON))
-
-
-def half_a_pattern(prim: Usd.Prim) -> str:
-    """Return the attribute of the pattern that is missing where the other is there, else ""."""
-    says = {name: _says(prim, name) for name in (SIGMA, EPSILON)}
-    return next((name for name in says if not says[name]), "") if any(says.values()) else ""
+    return all(says_pattern(prim, name) for name in (SIGMA, EPSILON))
 
 
 def author_pattern(
@@ -96,13 +91,6 @@ def _of_usd(spline: Spline, unit: float, first: float, facts: Facts) -> Any:
         knot.SetPostTanSlope(slope)
         shown.SetKnot(knot)
     return shown
-
-
-def _says(prim: Usd.Prim, name: str) -> bool:
-    attribute = prim.GetAttribute(name)
-    if not attribute or mistyped(attribute) or not attribute.HasAuthoredValue():
-        return False
-    return attribute.HasSpline() or attribute.GetNumTimeSamples() > 0 or bool(attribute.Get())
 
 
 def _values(prim: Usd.Prim, name: str, codes: Floats) -> Floats:

@@ -14,12 +14,13 @@ from usdmotion.errors import OptionError, SceneError
 from usdmotion.usd.detections.contact_prims import contact_prims, known_contact
 from usdmotion.usd.detections.joints import leaf_of
 from usdmotion.usd.detections.keeping import Interval, Known
-from usdmotion.usd.detections.noise_patterns import half_a_pattern, read_pattern
+from usdmotion.usd.detections.noise_patterns import read_pattern
 from usdmotion.usd.detections.objects import Watched, find_watched, objects_of
 from usdmotion.usd.detections.places import Place, Places
 from usdmotion.usd.detections.survey import Survey
 from usdmotion.usd.detections.trajectories import Trajectory, read_trajectory
 from usdmotion.usd.edits import options_of
+from usdmotion.usd.faults.detections import find_idle_detections
 from usdmotion.usd.relations import value
 from usdmotion.usd.shot import Facts
 
@@ -215,10 +216,9 @@ def _settings(
 
 
 def _notes(prim: Usd.Prim | None) -> tuple[str, ...]:
-    missing = half_a_pattern(prim) if prim is not None else ""
-    if prim is None or not missing:
-        return ()
-    return (f"<{prim.GetPath()}> has no {missing}, so its noise pattern is estimated; set both",)
+    """Return what is probably not meant of a detection."""
+    found = find_idle_detections(prim) if prim is not None else ()
+    return tuple(each.sentence for each in found if each.name in ("TwoObjects", "HalfAPattern"))
 
 
 def _seconds(codes: Floats, trajectory: Trajectory, facts: Facts) -> Floats:

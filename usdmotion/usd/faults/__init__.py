@@ -7,6 +7,7 @@ validation where that takes validators in Python.
 from pxr import Usd
 
 from usdmotion.usd.faults.arrays import find_wrong_arrays, find_wrong_body_arrays
+from usdmotion.usd.faults.detections import find_idle_detections
 from usdmotion.usd.faults.fault import Check, Fault, Severity
 from usdmotion.usd.faults.joints import (
     find_missing_effectors,
@@ -74,6 +75,7 @@ CHECKS = (
     Check("Region", ("UsdMotionRegionConstraint",), find_missing_regions),
     Check("Axis", ("UsdMotionAimConstraint", "UsdMotionContactConstraint"), find_zero_axes),
     Check("Goal", GOAL, find_lost_goals),
+    Check("Detection", DETECTION, find_idle_detections),
     Check("Recruiting", EDIT, find_broken_recruiting),
 )
 """Every check, in the order in which a reader of the list would mend things."""
