@@ -5,9 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from usdmotion import Bools, Floats, Ints
+from usdmotion import Bools, Floats
+from usdmotion.kernels import kernel
 
-WINDOW = 0.2
+SHORTEST_WINDOW, LONGEST_WINDOW = 0.2, 0.4
 """Over how long a drift is measured [s]: longer than a turn of the way, shorter than a step."""
 SLOW = 0.1
 """What drifts by less rests, where nothing else tells [m/s]."""
@@ -15,6 +16,11 @@ STANDSTILL = 1e-3
 """Drifts slower than this are all the same: a frozen frame is no third mode [m/s]."""
 TWO_MODES = 3.0
 """Ashman's D of two modes that are two: the halves of one normal distribution have 2.65."""
+SHORTEST_STEP, LONGEST_STEP = 0.02, 0.16
+"""What displacements may span [s]: in less, a slow object moves less than it seems to by noise; in
+more, there is little left of a short rest."""
+CLEAR = 8.0
+"""A step is clear of noise if the object goes so many times farther than it seems to at rest."""
 _SQUARES = 2.366
 """Median of the sum of three squared standard normal numbers."""
 _LOW_SQUARES = 1.2125
@@ -38,19 +44,38 @@ class Calm:
     def of(cls, times: Floats, translations: Floats) -> "Calm":
         """Look at an object.
 
-        Its drift over a fifth of a second, of what is left without single outliers, is hardly
-        noise: that grows no farther with time. Drifts of something that now rests and now moves
-        have two modes, whose logarithms are parted where the classes are farthest from each other
-        (Otsu 1979). With one mode only it rests throughout or never, as slow as `SLOW` or faster.
+        Its drift over a fifth of a second, or over up to two where there is much noise, has hardly
+        any noise in it: that goes no farther with time. Single outliers are left out. Drifts of
+        something that now rests and now moves have two modes, whose logarithms are parted where
+        the classes are farthest from each other (Otsu 1979). With one mode only it rests
+        throughout or never, as slow as `SLOW` or faster.
 
         Args:
             times: Ascending [s], shape (frame_count,).
             translations: World positions of its origin [m], shape (frame_count, 3).
         """
-        drifts = np.maximum(_drifts(times, _without_spikes(translations)), STANDSTILL)
-        slow, usual = _parted(np.log(drifts))
+        window, seeming = _window(times, _noise(translations, np.zeros(len(times), dtype=np.bool_)))
+        drifts = _drifts(times, _without_spikes(translations), window)
+        slow, usual = _parted(np.log(np.maximum(drifts, STANDSTILL)), math.hypot(SLOW, seeming))
         rests = np.asarray(drifts <= slow)
         return cls(rests, slow, usual, _noise(translations, rests))
+
+    @property
+    def clear(self) -> float:
+        """In what time it usually goes far beyond what noise alone makes of a rest [s]."""
+        return CLEAR * math.sqrt(2.0 * _SQUARES) * self.noise / max(self.usual, STANDSTILL)
+
+    def step(self, interval: float) -> float:
+        """Return how long the displacements of it had better be [s].
+
+        As short as noise allows, so that the ends of rests are sharp. Of an object that never rests
+        nobody knows what is noise.
+
+        Args:
+            interval: Usual time between two samples [s], which is the least.
+        """
+        clear = self.clear if self.rests.any() else 0.0
+        return max(interval, min(max(clear, SHORTEST_STEP), LONGEST_STEP))
 
 
 def _without_spikes(places: Floats) -> Floats:
@@ -63,33 +88,61 @@ def _without_spikes(places: Floats) -> Floats:
     return np.concatenate([inner[:1], inner, inner[-1:]])
 
 
-def _drifts(times: Floats, places: Floats) -> Floats:
+def _window(times: Floats, noise: float) -> tuple[float, float]:
+    """Return over how long to measure drifts [s], and what noise alone makes of them [m/s].
+
+    The variance of a slope over n even samples is that of one sample by the sum of the squares of
+    their times from the middle, which is about window³ / 12 intervals.
+    """
+    interval = float(np.median(np.diff(times))) if len(times) > 1 else 0.0
+    square = 12.0 * interval * _SQUARES * noise**2
+    window = min(max((square / SLOW**2) ** (1.0 / 3.0), SHORTEST_WINDOW), LONGEST_WINDOW)
+    window = max(window, 2.0 * interval)
+    return window, math.sqrt(square / window**3)
+
+
+def _drifts(times: Floats, places: Floats, window: float) -> Floats:
     """Return the speeds of the straight ways that fit best around each frame [m/s], (F,)."""
-    half = 0.5 * WINDOW
-    if len(times) > 1:
-        half = max(half, float(np.median(np.diff(times)))) + 1e-6
-    first = np.searchsorted(times, times - half).astype(np.int64)
-    end = np.searchsorted(times, times + half, side="right").astype(np.int64)
-    count = (end - first)[:, None]
-    seconds, metres = (times - times[0])[:, None], places - places[0]
-    t, tt, x, tx = (
-        _sums(each, first, end) for each in (seconds, seconds**2, metres, seconds * metres)
-    )
-    spread = tt - t * t / count
-    slopes = np.divide(tx - t * x / count, spread, out=np.zeros_like(x), where=spread > 1e-12)
-    return np.asarray(np.linalg.norm(slopes, axis=1))
+    drifts = np.zeros(len(times))
+    _drift(times, places, 0.5 * window + 1e-6, drifts)
+    return drifts
 
 
-def _sums(values: Floats, first: Ints, end: Ints) -> Floats:
-    totals = np.concatenate([np.zeros((1, values.shape[1])), np.cumsum(values, axis=0)])
-    return np.asarray(totals[end] - totals[first])
+@kernel
+def _drift(times: Floats, places: Floats, half: float, drifts: Floats) -> None:
+    """(F,), (F, 3) into (F,): the slopes of regressions over windows of time."""
+    count = times.shape[0]
+    first = end = 0
+    for frame in range(count):
+        while times[first] < times[frame] - half:
+            first += 1
+        while end < count and times[end] <= times[frame] + half:
+            end += 1
+        middle = 0.0
+        for i in range(first, end):
+            middle += (times[i] - times[frame]) / (end - first)
+        spread = x = y = z = 0.0
+        for i in range(first, end):
+            since = times[i] - times[frame] - middle
+            spread += since * since
+            # From the frame itself, so that it is as exact far from the origin.
+            x += since * (places[i, 0] - places[frame, 0])
+            y += since * (places[i, 1] - places[frame, 1])
+            z += since * (places[i, 2] - places[frame, 2])
+        if spread > 0.0:
+            drifts[frame] = math.sqrt(x * x + y * y + z * z) / spread
 
 
-def _parted(logarithms: Floats) -> tuple[float, float]:
-    """Return the speed below which an object rests, and the usual one above it [m/s]."""
+def _parted(logarithms: Floats, throughout: float) -> tuple[float, float]:
+    """Return the speed below which an object rests, and the usual one above it [m/s].
+
+    Args:
+        logarithms: Of its drifts, shape (frame_count,).
+        throughout: What drifts by less, and in one mode, always rests [m/s].
+    """
     ascending = np.sort(logarithms)
     middle, total = float(np.median(ascending)), len(ascending)
-    one_mode = SLOW if middle < math.log(SLOW) else 0.0, math.exp(middle)
+    one_mode = throughout if middle < math.log(throughout) else 0.0, math.exp(middle)
     if total < 2:
         return one_mode
     sums = np.cumsum(ascending)

@@ -7,11 +7,10 @@ import numpy as np
 from usdmotion import Floats, Ints, Search
 from usdmotion.kernels import kernel
 from usdmotion.kernels.quaternions import inverse, product, quaternion_at, turned
+from usdmotion_contacts.calm import Calm
 
 SLACK = 1e-6
 """Times that differ by less are equal [s]."""
-SHORTEST_STEP = 0.02
-"""In less time than this a slow object moves less than it seems to by noise [s]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +37,8 @@ class Displacements:
     """t of each, in frame i of the object [m], shape (displacement_count, 3)."""
     rotations: Floats
     """R of each, unit xyzw, shape (displacement_count, 4)."""
+    calm: Calm
+    """When the object rests, and what of its motion is noise."""
 
     @property
     def count(self) -> int:
@@ -46,10 +47,11 @@ class Displacements:
 
 
 def displacements(search: Search) -> Displacements:
-    """Return the displacements of an object; its usual step is one sample, and 0.02 s at least."""
+    """Return the displacements of an object; with no step given, over one clear of noise."""
     times = search.times
     interval = float(np.median(np.diff(times))) if len(times) > 1 else 0.0
-    step = search.step or max(interval, SHORTEST_STEP)
+    calm = Calm.of(times, search.translations)
+    step = search.step or calm.step(interval)
     last = np.searchsorted(times, times + (step - SLACK))
     last = np.maximum(last, np.arange(1, len(times) + 1))
     last = last[last < len(times)]
@@ -57,7 +59,7 @@ def displacements(search: Search) -> Displacements:
     translations, rotations = np.empty((len(last), 3)), np.empty((len(last), 4))
     _displace(search.translations, search.rotations, last, translations, rotations)
     middle = 0.5 * (times[first] + times[last])
-    return Displacements(step, interval, first, last, middle, translations, rotations)
+    return Displacements(step, interval, first, last, middle, translations, rotations, calm)
 
 
 @kernel

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from usdmotion import Bools, Floats, NoisePattern, Search
-from usdmotion_contacts.calm import SLOW, Calm
+from usdmotion_contacts.calm import SLOW
 from usdmotion_contacts.noise import NUMERICAL_EPSILON, NUMERICAL_SIGMA, largest_noise
 from usdmotion_contacts.pattern import constant
 from usdmotion_contacts.projection import SigmaEpsilon
@@ -34,7 +34,7 @@ def estimate(search: Search, projected: SigmaEpsilon) -> NoisePattern:
     ε_max is what a drift that is still rest makes of a step, and noise on top. σ_max is the least
     median of squares of the steps within that, as if they were a template: a foot that rolls over
     its ball is not at rest. Where an object never rests, only noise is known, so that it is still
-    found where it turns about a line.
+    found where it turns about a line, if it moves clear of that noise.
 
     When it fails: for an object that always creeps, or that is carried; where rests are shorter
     than a fifth of a second, or so few that they are no mode of their own; with noise that comes
@@ -47,15 +47,18 @@ def estimate(search: Search, projected: SigmaEpsilon) -> NoisePattern:
     Returns:
         A pattern that is the same all the time.
     """
-    calm = Calm.of(search.times, search.translations)
     moves = projected.displacements
+    calm = moves.calm
     resting = calm.rests[moves.first] & calm.rests[moves.last]
+    if not moves.count:
+        return _numerical(0.0)
+    took = float(np.median(search.times[moves.last] - search.times[moves.first]))
     if not resting.any():
-        return _numerical(_slide_of_noise(projected, calm.noise))
+        return _numerical(_slide_of_noise(projected, calm.noise) if calm.clear <= took else 0.0)
     if np.median(projected.epsilon_3[resting]) <= NUMERICAL * NUMERICAL_EPSILON:
         return _numerical(0.0)
     slow = min(calm.slow, max(CREEPING * calm.usual, SLOW))
-    epsilon = math.hypot(slow * moves.step, FAR * math.sqrt(2.0) * calm.noise)
+    epsilon = math.hypot(slow * took, FAR * math.sqrt(2.0) * calm.noise)
     within = resting & (projected.epsilon_3 <= epsilon)
     return constant(_turn_of(projected, within), epsilon)
 
