@@ -87,7 +87,8 @@ def _spaces(
     search: Search, points: SigmaEpsilon, pattern: NoisePattern, turned: list[Contact]
 ) -> list[Contact]:
     """Return where an object rests, but for the moments at which a turn goes the other way."""
-    groups, owners = places(search, points.displacements, at_rest(search, points, pattern))
+    resting = at_rest(search, points, pattern)
+    groups, owners = places(search, points.displacements, resting, pattern)
     origins = np.zeros((len(groups.into), 3))
     contacts = settle(search, "space", groups, left_of(groups), owners, origins, origins)
     moment = 2.0 * points.displacements.step - SLACK

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from usdmotion import Bools, Floats, Ints, Search
+from usdmotion import Bools, Floats, Ints, NoisePattern, Search
 from usdmotion.kernels import kernel, shared
 from usdmotion.kernels.quaternions import quaternion_at, turned, vector_at
 from usdmotion_contacts.displacements import Displacements
@@ -27,19 +27,23 @@ class _Places(NamedTuple):
     """Of the world positions of the object's points, shape (group_count, point_count, 3)."""
     poses: Floats
     """How many poses that are."""
-    near: float
-    """dist_max [m]."""
+    near: Floats
+    """How far a point may be from where it is held [m], shape (point_count,)."""
 
 
-def places(search: Search, moves: Displacements, resting: Bools) -> tuple[Groups, Ints]:
+def places(
+    search: Search, moves: Displacements, resting: Bools, pattern: NoisePattern
+) -> tuple[Groups, Ints]:
     """Return the places at which an object rests, and the one that owns each frame, or −1.
 
     One place is where all points that stand for the object stay within dist_max of their mean so
-    far. A rest that drifts farther, however slowly, is not one place: the next begins there.
+    far, beyond what noise alone moves them. A rest that drifts farther, however slowly, is not one
+    place: the next begins there.
     """
     count = int(np.count_nonzero(resting))
     groups, points = groups_of(count), weighed_points(search)
-    stats = _Places(np.zeros((count, len(points), 3)), np.zeros(count), search.merge_distance)
+    near = search.merge_distance + _seeming(points, moves, pattern)
+    stats = _Places(np.zeros((count, len(points), 3)), np.zeros(count), near)
     owners = np.full(len(search.times), -1, dtype=np.int64)
     if count:
         poses = (search.translations, search.rotations, points)
@@ -60,6 +64,14 @@ def weighed_points(search: Search) -> Floats:
     sine = math.sin(0.5 * math.radians(min(search.parallel_angle, 180.0)))
     arm = 0.5 * search.merge_distance / max(sine, 1e-9)
     return np.concatenate([points[:1], arm * np.eye(3)])
+
+
+def _seeming(points: Floats, moves: Displacements, pattern: NoisePattern) -> Floats:
+    """Return how far points that rest may seem to move [m], (P, 3) to (P,)."""
+    if not moves.count:
+        return np.zeros(len(points))
+    sigma, epsilon = (np.median(each.at(moves.times)) for each in (pattern.sigma, pattern.epsilon))
+    return np.asarray(epsilon + sigma * np.linalg.norm(points, axis=1))
 
 
 @shared
@@ -96,7 +108,7 @@ def _fits(
             square = 0.0
             for axis in range(3):
                 square += (place[axis] - share * stats.sums[group, point, axis]) ** 2
-            if square > stats.near**2:
+            if square > stats.near[point] ** 2:
                 return False
     return True
 
@@ -111,7 +123,7 @@ def _distance(stats: _Places, groups: Groups, a: int, b: int) -> float:
             one = stats.sums[a, point, axis] / stats.poses[a]
             other = stats.sums[b, point, axis] / stats.poses[b]
             square += (one - other) ** 2
-        if square > stats.near**2:
+        if square > stats.near[point] ** 2:
             return APART
         if point == 0:
             origin = math.sqrt(square)

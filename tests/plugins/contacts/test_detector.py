@@ -22,3 +22,14 @@ def test_noise_of_the_size_of_the_templates_cuts_nothing(detect, two_stances) ->
 def test_a_kind_that_nobody_knows_is_refused_with_those_that_are(detect, two_stances) -> None:
     with pytest.raises(OptionError, match="'cone'; it looks for space, line, point, plane, slide"):
         detect(two_stances(kinds=("space", "cone")))
+
+
+@pytest.mark.parametrize("noise", [0.01, 0.02])
+def test_one_place_is_one_contact_under_noise_as_large_as_what_may_lie_between(
+    detect, two_stances, noise
+) -> None:
+    search = two_stances(noise=noise)
+    first, second = detect(search).contacts
+    assert first.end - first.start > 0.9
+    assert np.allclose(first.location, 0.0, atol=0.5 * noise)
+    assert np.allclose(second.location, (0.6, 0.0, 0.0), atol=0.5 * noise)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
-from usdmotion_contacts.calm import Calm
+from usdmotion_contacts.calm import LONGEST_STEP, SHORTEST_STEP, Calm
 from usdmotion_contacts.displacements import displacements
 from usdmotion_contacts.estimate import estimate
 from usdmotion_contacts.projection import project
@@ -38,7 +38,7 @@ def untaught(two_stances):
 def test_both_stances_are_found_at_any_rate_and_noise(detect, untaught, rate, noise):
     search = untaught(rate=rate, noise=noise)
     held = np.zeros(len(search.times), dtype=bool)
-    for each in detect(replace(search, merge_distance=0.03 + 4.0 * noise)).contacts:
+    for each in detect(search).contacts:
         held |= (search.times >= each.start) & (search.times <= each.end)
     truth = (search.times <= 1.05) | (search.times >= 1.35)
     assert (held == truth).mean() > 0.95 - 5.0 * noise
@@ -148,3 +148,20 @@ def test_a_motion_of_hardly_any_frames_has_a_pattern(untaught, frames):
         rotations=search.rotations[:frames],
     )
     assert all(np.isfinite(estimated(part)))
+
+
+def test_steps_are_short_without_noise_and_longer_with_it(untaught):
+    steps = [calm(untaught(noise=noise)).step(1.0 / 120.0) for noise in (0.0, 0.002, 0.01, 0.04)]
+    assert steps[0] == SHORTEST_STEP
+    assert steps[-1] == LONGEST_STEP
+    assert steps == sorted(steps)
+    assert calm(untaught()).step(0.5) == 0.5
+
+
+def test_an_object_goes_far_beyond_noise_in_a_step_that_is_clear(untaught):
+    search = untaught(noise=0.004, step=0.0)
+    steps = project(displacements(search))
+    moves = steps.displacements
+    far = np.quantile(steps.epsilon_3, 0.95)
+    rests = moves.calm.rests[moves.first] & moves.calm.rests[moves.last]
+    assert far > 4.0 * np.median(steps.epsilon_3[rests])
