@@ -36,6 +36,12 @@ class ContactDetector:
         minimum=0.01,
         maximum=1.0,
     )
+    reach: float = option(
+        1.5,
+        "How far from the middle of an object a line or point may be, in sizes of it: a foot that "
+        "swings about its knee touches nothing. 0 allows any distance.",
+        minimum=0.0,
+    )
 
     def detect(self, search: Search) -> Detected:
         """Return what an object obeys.
@@ -50,28 +56,29 @@ class ContactDetector:
                     + ", ".join(KINDS)
                 )
         if self.clock < 1.0 and len(search.times) > 1:
-            return restored(_detected(slowed(search, self.clock)), self.clock, search.times)
-        return _detected(search)
+            return restored(self._detected(slowed(search, self.clock)), self.clock, search.times)
+        return self._detected(search)
 
-
-def _detected(search: Search) -> Detected:
-    """Return what an object obeys, step by step as in the paper's section 3.2."""
-    points = project(displacements(search))
-    if not points.displacements.count:
-        step = points.displacements.step
-        return Detected(
-            (), search.pattern, (f"'{search.name}' has no two samples {step:g} s apart",)
-        )
-    pattern, notes = _pattern(search, points)
-    contacts = _turns(search, points, pattern) if {"line", "point"} & set(search.kinds) else []
-    if "space" in search.kinds:
-        contacts += _spaces(search, points, pattern, contacts)
-    for kind in ("plane", "slide"):
-        if kind in search.kinds:
-            epsilon = pattern.epsilon.at(search.times)
-            contacts += slides(search, points.displacements, kind, epsilon)
-    contacts.sort(key=lambda each: (each.start, KINDS.index(each.kind)))
-    return Detected(tuple(contacts), pattern, tuple(notes))
+    def _detected(self, search: Search) -> Detected:
+        """Return what an object obeys, step by step as in the paper's section 3.2."""
+        points = project(displacements(search))
+        if not points.displacements.count:
+            step = points.displacements.step
+            note = f"'{search.name}' has no two samples {step:g} s apart"
+            return Detected((), search.pattern, (note,))
+        pattern, notes = _pattern(search, points)
+        contacts = []
+        if {"line", "point"} & set(search.kinds):
+            turned = _turns(search, points, pattern)
+            contacts = [each for each in turned if _is_near(search, each, self.reach)]
+        if "space" in search.kinds:
+            contacts += _spaces(search, points, pattern, contacts)
+        for kind in ("plane", "slide"):
+            if kind in search.kinds:
+                epsilon = pattern.epsilon.at(search.times)
+                contacts += slides(search, points.displacements, kind, epsilon)
+        contacts.sort(key=lambda each: (each.start, KINDS.index(each.kind)))
+        return Detected(tuple(contacts), pattern, tuple(notes))
 
 
 def _pattern(search: Search, points: SigmaEpsilon) -> tuple[NoisePattern, list[str]]:
@@ -112,3 +119,10 @@ def _turns(search: Search, points: SigmaEpsilon, pattern: NoisePattern) -> list[
                 search, kind, found.groups, left, found.owners, found.points, found.axes
             )
     return contacts
+
+
+def _is_near(search: Search, contact: Contact, reach: float) -> bool:
+    """Return whether the held point is near an object, unless nobody knows how large that is."""
+    size = float(np.ptp(search.points, axis=0).max())
+    away = float(np.linalg.norm(contact.point - search.points.mean(axis=0)))
+    return reach * size == 0.0 or away <= reach * size

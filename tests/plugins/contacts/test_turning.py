@@ -96,3 +96,12 @@ def test_a_line_and_another_beside_it_stay_two(detect, held) -> None:
     first, second = detect(search).contacts
     assert np.allclose(second.point - first.point, far, atol=1e-9)
     assert first.end == pytest.approx(second.start, abs=0.02)
+
+
+def test_what_swings_about_something_far_from_it_touches_nothing(detect, held) -> None:
+    corners = np.array([[0.0, 0.0, 0.0], [0.1, 0.1, 0.1]])
+    assert len(detect(held(swinging(), points=corners + np.array([0.1, 0.2, 0.0]))).contacts) == 1
+    far = held(swinging(), points=corners + np.array([0.6, 0.2, 0.5]))
+    assert not detect(far).contacts
+    assert len(detect(far, reach=10.0).contacts) == 1
+    assert len(detect(far, reach=0.0).contacts) == 1
