@@ -54,6 +54,8 @@ class Calm:
             times: Ascending [s], shape (frame_count,).
             translations: World positions of its origin [m], shape (frame_count, 3).
         """
+        if not len(times):
+            return cls(np.zeros(0, dtype=np.bool_), 0.0, 0.0, 0.0)
         window, seeming = _window(times, _noise(translations, np.zeros(len(times), dtype=np.bool_)))
         drifts = _drifts(times, _without_spikes(translations), window)
         slow, usual = _parted(np.log(np.maximum(drifts, STANDSTILL)), math.hypot(SLOW, seeming))

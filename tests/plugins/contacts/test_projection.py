@@ -27,7 +27,7 @@ def matrices(search: Search) -> np.ndarray:
 
 
 def test_displacements_are_those_of_the_object_in_its_own_frame() -> None:
-    search = wandering()
+    search = wandering(step=1.0 / 30.0)
     moves, w = displacements(search), matrices(search)
     d = np.linalg.inv(w[moves.first]) @ w[moves.last]
     assert moves.count == len(search.times) - 1
@@ -65,7 +65,8 @@ def test_without_a_turn_the_whole_translation_is_residual() -> None:
 
 @pytest.mark.parametrize(("rate", "samples"), [(24.0, 1), (30.0, 1), (60.0, 2), (120.0, 3)])
 def test_a_step_is_one_sample_and_two_hundredths_of_a_second_at_least(rate, samples) -> None:
-    moves = displacements(wandering(times=np.arange(60) / rate))
+    times = np.arange(60) / rate
+    moves = displacements(wandering(times=times, translations=np.outer(times, (1.0, 0.0, 0.0))))
     assert set(moves.last - moves.first) == {samples}
     assert moves.count == 60 - samples
 
