@@ -41,7 +41,7 @@ def write_walk(
     Args:
         output: The layer to write.
         walk: Who walks, and how.
-        edit: Name of the MotionEdit, under the Skeleton.
+        edit: Name of the MotionEdit, under the Skeleton; "" makes none.
         constraints: What is asked; the last part of each path is the prim's name.
         variants: What is asked besides in each variant of the edit; the first is selected.
         smoothing: Cutoff of the filter between two passes [Hz]; 0 is off.
@@ -64,7 +64,8 @@ def write_walk(
             tip_joints=np.array([each.joint for each in ends]),
             tip_points=np.array([each.end for each in ends]),
         )
-        usd.author_edit(stage, path, smoothing=smoothing, passes=passes)
+        if edit:
+            usd.author_edit(stage, path, smoothing=smoothing, passes=passes)
         _author(stage, path, constraints, codes)
         # The one that is made last stays selected.
         for name, asked in reversed(list((variants or {}).items())):

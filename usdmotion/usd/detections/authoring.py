@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pxr import Sdf, Usd, UsdGeom, Vt
 
 from usdmotion.detecting import Detected
+from usdmotion.usd.detections.agreeing import agreed
 from usdmotion.usd.detections.contact_authoring import author_contact, define, drop
 from usdmotion.usd.detections.contact_prims import WORLD, contact_prims, says_where
 from usdmotion.usd.detections.entries import Entry, entries_of
@@ -49,7 +50,7 @@ def author_detections(stage: Usd.Stage, found: Sequence[Found]) -> tuple[Authore
         found: What was found on each object.
     """
     frames = Frames(stage)
-    settled = [_settled(stage, each) for each in found]
+    settled = agreed([_settled(stage, each) for each in found])
     above = [frames.above(each.sought.path, each.sought.trajectory.time_codes) for each in found]
     layer = stage.GetEditTarget().GetLayer()
     with Sdf.ChangeBlock():
@@ -65,7 +66,7 @@ def author_detections(stage: Usd.Stage, found: Sequence[Found]) -> tuple[Authore
                     drop(layer, sought, entry)
     for each in settled:
         _author_pattern(stage, each.found)
-    return tuple(settled)
+    return settled
 
 
 def _settled(stage: Usd.Stage, found: Found) -> Authored:

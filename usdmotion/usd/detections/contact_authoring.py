@@ -40,6 +40,8 @@ def author_contact(layer: Sdf.Layer, sought: Sought, entry: Entry, frame: Frame)
     prim = over(layer, f"{sought.path}/{entry.name}")
     if entry.new:
         define(prim, "MotionContactConstraint")
+        if entry.priority != 1:
+            set_value(prim, "usdmotion:priority", Sdf.ValueTypeNames.Int, entry.priority)
     elif entry.state == "detected":
         prim.SetInfo("active", True)
     values = _values(sought, entry, entry.contact, frame)

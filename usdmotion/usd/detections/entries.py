@@ -13,7 +13,7 @@ from usdmotion.usd.shot import Facts
 
 _EASED = 0.2
 """How long a contact eases in and out at most [s]."""
-_SAMPLE = 1e-6
+SAMPLE = 1e-6
 """Time codes this near to a sample's are that sample's."""
 _ON = ("detected", "template", "own")
 
@@ -37,6 +37,8 @@ class Entry:
     """Whether a detector has found it now."""
     eased: tuple[float, float] = (0.0, 0.0)
     """For how many time codes it eases in and out."""
+    priority: int = 1
+    """Its rank among the constraints of its edit, if it is new."""
 
     @property
     def times(self) -> tuple[float, float, float, float]:
@@ -99,7 +101,7 @@ def interval_of(contact: Contact, trajectory: Trajectory, facts: Facts) -> Inter
     for seconds in (contact.start, contact.end):
         code = float(codes[0] + seconds * facts.time_codes_per_second)
         nearest = float(codes[trajectory.frame(code)])
-        ends.append(nearest if abs(nearest - code) < _SAMPLE else code)
+        ends.append(nearest if abs(nearest - code) < SAMPLE else code)
     return Interval(contact.kind, ends[0], ends[1])
 
 

@@ -1,0 +1,31 @@
+"""A walk whose feet skate, as after a retarget."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from usdmotion.demos.gait import Walk, walk
+from usdmotion.demos.walker import write_walk
+from usdmotion.motion import Motion
+
+NEXT = "usdmotion detect {stage}"
+_FARTHER = 1.03
+"""How much farther the body goes than its steps carry it."""
+_SWAY = (0.004, 0.9)
+"""How far it drifts to the side and back [m], and how often [Hz]."""
+
+
+def skate(walking: Walk) -> Walk:
+    """Return a walk that goes a little farther than its steps, and drifts to the side."""
+    motion = walking.motion
+    translations = np.array(motion.translations)
+    far, often = _SWAY
+    translations[:, 0, 0] += far * np.sin(2.0 * np.pi * often * motion.times)
+    translations[:, 0, 2] *= _FARTHER
+    return replace(walking, motion=Motion(motion.times, translations, motion.rotations))
+
+
+def build(output: Path) -> None:
+    """Write the stage."""
+    write_walk(output, skate(walk(seconds=3.0)), "", ())
