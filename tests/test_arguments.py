@@ -2,7 +2,8 @@
 
 import pytest
 
-from usdmotion.arguments import cutoff_of, frames_of, options_of
+from usdmotion.arguments import cutoff_of, frames_of, names_of, options_of, template_of
+from usdmotion.asking import Example
 from usdmotion.errors import OptionError
 
 
@@ -29,3 +30,28 @@ def test_a_cutoff_is_a_frequency_or_none() -> None:
     for cutoff in (-1.0, float("nan"), float("inf")):
         with pytest.raises(OptionError, match=f"--clean {cutoff:g} is no cutoff"):
             cutoff_of(cutoff)
+
+
+@pytest.mark.parametrize(
+    ("text", "example"),
+    [
+        ("LeftFoot:10:24", Example("LeftFoot", 10.0, 24.0, "space")),
+        ("LeftFoot:10:24:line", Example("LeftFoot", 10.0, 24.0, "line")),
+        ("rig:left:foot:-1.5:24", Example("rig:left:foot", -1.5, 24.0, "space")),
+        ("foot:2:10:24", Example("foot:2", 10.0, 24.0, "space")),
+        ("/World/Box:1:2:point", Example("/World/Box", 1.0, 2.0, "point")),
+    ],
+)
+def test_an_example_is_read_from_the_right(text: str, example: Example) -> None:
+    assert template_of(text) == example
+
+
+@pytest.mark.parametrize("text", ["", "foot", "foot:1", "1:2", ":1:2", "foot:a:2", "foot:1:nan"])
+def test_what_is_no_example_says_how_one_is_written(text: str) -> None:
+    with pytest.raises(OptionError, match="write --template JOINT:START:END"):
+        template_of(text)
+
+
+def test_names_are_separated_by_commas_or_said_one_after_another() -> None:
+    assert names_of(["a, b", "c", ""]) == ("a", "b", "c")
+    assert names_of(None) == ()

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from usdmotion.arrays import Bools, Floats, Ints
+    from usdmotion.asking import Example
     from usdmotion.capture import Capture, Cluster, Event, ForcePlate, Markers
     from usdmotion.cast import Cast, Character, Joint
     from usdmotion.constraints import (
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
     from usdmotion.hookspecs import hookimpl
     from usdmotion.motion import Body, Motion, Placement, Skeleton
     from usdmotion.options import configured, option
-    from usdmotion.pipeline import import_motion, inspect, solve
+    from usdmotion.pipeline import detect, import_motion, inspect, solve
     from usdmotion.plugins import host
     from usdmotion.recording import Reader, Recording
     from usdmotion.scene import Edit, Scene
@@ -67,6 +68,7 @@ __all__ = [
     "DistanceTask",
     "Edit",
     "Event",
+    "Example",
     "FileError",
     "Floats",
     "ForcePlate",
@@ -103,6 +105,7 @@ __all__ = [
     "composite_point",
     "composite_turn",
     "configured",
+    "detect",
     "ease",
     "hookimpl",
     "host",
@@ -128,6 +131,7 @@ _ROOMS = (
     "scene",
     "solving",
     "detecting",
+    "asking",
     "hookspecs",
     "plugins",
     "session",

@@ -60,9 +60,10 @@ def author_detections(stage: Usd.Stage, found: Sequence[Found]) -> tuple[Authore
             if frame.is_world:
                 _author_world(layer, f"{sought.path}/{WORLD}")
             for entry in each.entries:
+                on = entry.new or _is_on(stage, sought, entry)
                 if entry.contact is not None:
-                    author_contact(layer, sought, entry, frame)
-                elif entry.state == "dropped" and _is_on(stage, sought, entry):
+                    author_contact(layer, sought, entry, frame, wake=not on)
+                elif entry.state == "dropped" and on:
                     drop(layer, sought, entry)
     for each in settled:
         _author_pattern(stage, each.found)

@@ -2,7 +2,6 @@
 
 from typing import Any
 
-import numpy as np
 from pxr import Gf, Sdf
 
 from usdmotion.arrays import Floats
@@ -27,7 +26,9 @@ _TYPES = {
 }
 
 
-def author_contact(layer: Sdf.Layer, sought: Sought, entry: Entry, frame: Frame) -> None:
+def author_contact(
+    layer: Sdf.Layer, sought: Sought, entry: Entry, frame: Frame, *, wake: bool = False
+) -> None:
     """Write a contact, made where it is not there yet.
 
     Args:
@@ -35,6 +36,7 @@ def author_contact(layer: Sdf.Layer, sought: Sought, entry: Entry, frame: Frame)
         sought: What was looked for, and on what.
         entry: The contact.
         frame: The frame above it.
+        wake: Whether it is to be switched on.
     """
     assert entry.contact is not None
     prim = over(layer, f"{sought.path}/{entry.name}")
@@ -42,7 +44,7 @@ def author_contact(layer: Sdf.Layer, sought: Sought, entry: Entry, frame: Frame)
         define(prim, "MotionContactConstraint")
         if entry.priority != 1:
             set_value(prim, "usdmotion:priority", Sdf.ValueTypeNames.Int, entry.priority)
-    elif entry.state == "detected":
+    elif wake:
         prim.SetInfo("active", True)
     values = _values(sought, entry, entry.contact, frame)
     for name, value in values.items():
@@ -72,7 +74,7 @@ def remember(prim: Sdf.PrimSpec, values: dict[str, Any], entry: Entry) -> None:
     """Keep what was written of a contact, to tell later what a person has changed."""
     example = entry.example
     codes = (example.start, example.end) if example and entry.state == "template" else ()
-    memory = {name: _plain(values[name]) for name in REMEMBERED}
+    memory = {name: values[name] for name in REMEMBERED}
     # Dictionaries of several layers are one, so that every key has to be said.
     memory |= {"dropped": False, "example": time_code_array(codes)}
     prim.customData[MEMORY] = memory
@@ -93,10 +95,6 @@ def _values(sought: Sought, entry: Entry, contact: Contact, frame: Frame) -> dic
         "residual": contact.residual / unit,
     }
     return values | ({"template": True} if entry.state == "template" else {})
-
-
-def _plain(value: Any) -> Any:
-    return np.asarray(value).tolist() if isinstance(value, np.generic) else value
 
 
 def _vector(values: Floats) -> Gf.Vec3d:

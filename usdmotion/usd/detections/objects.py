@@ -143,7 +143,10 @@ def _switched_on(watched: Iterable[Watched]) -> tuple[Watched, ...]:
 
 def _nothing(here: Survey) -> str:
     if not here.performers:
-        return "there is no Skeleton and no MotionDetection; name animated prims with --prims"
+        such = ", ".join(here.moving[:4])
+        return "there is no Skeleton and no MotionDetection; name animated prims with --prims" + (
+            f", such as {such}" if such else ""
+        )
     paths = ", ".join(f"<{each.path}>" for each in here.performers)
     return (
         f"nobody knows which joints of {paths} are feet; name joints with --joints, or say in "

@@ -3,7 +3,7 @@
 from functools import cached_property
 
 import numpy as np
-from pxr import Usd
+from pxr import Usd, UsdGeom
 
 from usdmotion.arrays import Floats
 from usdmotion.errors import SceneError
@@ -55,6 +55,16 @@ class Survey:
             prim
             for prim in self._prims
             if is_a(prim, "UsdMotionEdit") and prim.IsActive() and not prim.IsInstanceProxy()
+        ]
+
+    @property
+    def moving(self) -> list[str]:
+        """Paths of the prims whose own transform is animated."""
+        return [
+            str(prim.GetPath())
+            for prim in self._prims
+            if is_a(prim, "UsdGeomXformable")
+            and UsdGeom.Xformable(prim).TransformMightBeTimeVarying()
         ]
 
     @property

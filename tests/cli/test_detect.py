@@ -1,0 +1,91 @@
+"""The verb `detect`: what it prints, where it writes, and what it refuses in one sentence."""
+
+import json
+import shlex
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from usdmotion import cli
+
+Shot = Callable[..., Path]
+
+
+@pytest.fixture
+def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
+    """Return what runs the verb and returns what it prints, or its complaint."""
+
+    def call(words: str, *, status: int = 0) -> str:
+        monkeypatch.setattr("sys.argv", ["usdmotion", "detect", *shlex.split(words)])
+        with pytest.raises(SystemExit) as ended:
+            cli.main()
+        said = capsys.readouterr()
+        assert (ended.value.code or 0) == status, said.err
+        return said.err if status else said.out
+
+    return call
+
+
+@pytest.fixture
+def arm(arm_shot: Shot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return arm_shot(name="arm.usda").relative_to(tmp_path)
+
+
+def test_contacts_are_shown_and_the_name_that_was_derived_is_printed(
+    run: Callable[..., str], arm: Path
+) -> None:
+    said = run("arm.usda --joints base")
+    assert "</Arm/Skeleton/Edit/base>: space by contacts" in said
+    assert "│ Contact01 │ space │" in said
+    assert "wrote arm.contacts.usda: 1 contacts" in said
+
+
+def test_a_layer_of_contacts_is_looked_at_again_under_the_next_name(
+    run: Callable[..., str], arm: Path
+) -> None:
+    run("arm.usda --joints base")
+    assert "wrote arm.contacts2.usda" in run("arm.contacts.usda")
+    assert "wrote arm.contacts3.usda" in run("arm.contacts2.usda")
+
+
+def test_json_has_all_of_it(run: Callable[..., str], arm: Path) -> None:
+    data = json.loads(run("arm.usda --joints base,wrist --json - --minimum 0.1"))
+    base, wrist = data["objects"]
+    assert base["object"] == "base"
+    assert wrist["object"] == "base/shoulder/elbow/wrist"
+    (contact,) = base["contacts"]
+    assert contact["path"] == "/Arm/Skeleton/Edit/base/Contact01"
+    assert contact["start"] == base["first"] and contact["end"] == base["last"]
+    assert contact["seconds"] == pytest.approx((contact["end"] - contact["start"]) / 24.0)
+    assert contact["state"] == "detected"
+
+
+def test_quiet_is_quiet(run: Callable[..., str], arm: Path) -> None:
+    assert run("arm.usda --joints base --quiet") == ""
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        ("none.usda", "usdmotion: none.usda: there is no such file"),
+        ("arm.usda", "nobody knows which joints of </Arm/Skeleton> are feet; name joints"),
+        ("arm.usda --joints rist", "no joint 'rist' on </Arm/Skeleton>; did you mean 'wrist'?"),
+        ("arm.usda --joints base -o arm.usda", "no input is written to; name another"),
+        ("arm.usda --joints base -o arm.txt", "name a file that ends in .usda"),
+        ("arm.usda --joints base --kinds knot", "cannot look for 'knot'; it looks for space"),
+        ("arm.usda --joints base --detector eye", "there is no detector 'eye'; there are:"),
+        ("arm.usda --joints base --option pace=1", "has no option 'pace'"),
+        ("arm.usda --template base:1", "write --template JOINT:START:END"),
+        ("arm.usda --template base:1:900", "base:1:900 is outside of the motion of base"),
+        ("arm.usda --joints base --edit /Arm", "</Arm> is no MotionEdit; there are:"),
+    ],
+)
+def test_an_input_at_fault_is_one_sentence(
+    run: Callable[..., str], arm: Path, words: str, sentence: str
+) -> None:
+    said = run(words, status=2)
+    assert sentence in said
+    assert said.count("\n") == 1
+    assert not Path("arm.contacts.usda").exists()
