@@ -14,14 +14,15 @@ SLOW = 0.1
 """What drifts by less rests, where nothing else tells [m/s]."""
 STANDSTILL = 1e-3
 """Drifts slower than this are all the same: a frozen frame is no third mode [m/s]."""
-TWO_MODES = 3.0
-"""Ashman's D of two modes that are two: the halves of one normal distribution have 2.65."""
+TWO_MODES, TIMES_AS_FAST = 3.0, 4.0
+"""Ashman's D of two modes that are two, the halves of one normal distribution having 2.65; and how
+far apart they are."""
 SHORTEST_STEP, LONGEST_STEP = 0.02, 0.16
 """What displacements may span [s]: in less, a slow object moves less than it seems to by noise; in
 more, there is little left of a short rest."""
 CLEAR = 8.0
 """A step is clear of noise if the object goes so many times farther than it seems to at rest."""
-_SQUARES = 2.366
+SQUARES = 2.366
 """Median of the sum of three squared standard normal numbers."""
 _LOW_SQUARES = 1.2125
 """Its lower quartile."""
@@ -65,7 +66,7 @@ class Calm:
     @property
     def clear(self) -> float:
         """In what time it usually goes far beyond what noise alone makes of a rest [s]."""
-        return CLEAR * math.sqrt(2.0 * _SQUARES) * self.noise / max(self.usual, STANDSTILL)
+        return CLEAR * math.sqrt(2.0 * SQUARES) * self.noise / max(self.usual, STANDSTILL)
 
     def step(self, interval: float) -> float:
         """Return how long the displacements of it had better be [s].
@@ -97,7 +98,7 @@ def _window(times: Floats, noise: float) -> tuple[float, float]:
     their times from the middle, which is about window³ / 12 intervals.
     """
     interval = float(np.median(np.diff(times))) if len(times) > 1 else 0.0
-    square = 12.0 * interval * _SQUARES * noise**2
+    square = 12.0 * interval * SQUARES * noise**2
     window = min(max((square / SLOW**2) ** (1.0 / 3.0), SHORTEST_WINDOW), LONGEST_WINDOW)
     window = max(window, 2.0 * interval)
     return window, math.sqrt(square / window**3)
@@ -153,7 +154,7 @@ def _parted(logarithms: Floats, throughout: float) -> tuple[float, float]:
     best = int(np.argmax(counts * (total - counts) * (high - low) ** 2))
     widths = math.hypot(ascending[: best + 1].std(), ascending[best + 1 :].std())
     apart = float(high[best] - low[best])
-    if math.sqrt(2.0) * apart <= TWO_MODES * widths or apart <= math.log(2.0):
+    if math.sqrt(2.0) * apart <= TWO_MODES * widths or apart <= math.log(TIMES_AS_FAST):
         return one_mode
     return math.exp(0.5 * (low[best] + high[best])), math.exp(high[best])
 
@@ -169,5 +170,5 @@ def _noise(places: Floats, rests: Bools) -> float:
     squares = np.sum(np.diff(places, n=2, axis=0) ** 2, axis=1)
     inside = squares[rests[1:-1]]
     if len(inside) > 2:
-        return float(np.sqrt(np.median(inside) / (6.0 * _SQUARES)))
+        return float(np.sqrt(np.median(inside) / (6.0 * SQUARES)))
     return float(np.sqrt(np.quantile(squares, 0.25) / (6.0 * _LOW_SQUARES)))

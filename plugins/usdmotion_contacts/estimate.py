@@ -5,15 +5,16 @@ import math
 import numpy as np
 
 from usdmotion import Bools, Floats, NoisePattern, Search
-from usdmotion_contacts.calm import SLOW
+from usdmotion_contacts.calm import SLOW, SQUARES
 from usdmotion_contacts.noise import NUMERICAL_EPSILON, NUMERICAL_SIGMA, largest_noise
 from usdmotion_contacts.pattern import constant
 from usdmotion_contacts.projection import SigmaEpsilon
 
 CREEPING = 0.125
 """Which share of its usual speed an object that rests may drift by at most."""
-FAR = 2.0
-"""So many standard deviations of noise are still rest: three of four steps are within."""
+FAR = math.sqrt(SQUARES)
+"""So many standard deviations of noise are still rest: every other step is within, which is enough,
+as steps overlap; more would hold what is setting down."""
 NUMERICAL = 10.0
 """So many of numerical noise are still nothing."""
 _LOW = 0.126
@@ -25,7 +26,7 @@ def estimate(search: Search, projected: SigmaEpsilon) -> NoisePattern:
 
     What it assumes:
 
-    * The object rests now and then for a fifth of a second and is several times as fast in between;
+    * The object rests now and then for a fifth of a second and is four times as fast in between;
       or it never rests; or it rests throughout, slower than 0.1 m/s. `Calm` tells which. That is
       the only absolute speed, and one of something as large as a person.
     * Noise is independent from frame to frame and the same all the time, but for single outliers,
