@@ -10,6 +10,9 @@ from usdmotion_contacts.displacements import displacements
 from usdmotion_contacts.estimate import estimate
 from usdmotion_contacts.projection import project
 
+from usdmotion import Search
+from usdmotion.demos import dice
+
 RATES = (25.0, 30.0, 60.0, 120.0)
 
 
@@ -166,3 +169,16 @@ def test_an_object_goes_far_beyond_noise_in_a_step_that_is_clear(untaught):
     far = np.quantile(steps.epsilon_3, 0.95)
     rests = moves.calm.rests[moves.first] & moves.calm.rests[moves.last]
     assert far > 4.0 * np.median(steps.epsilon_3[rests])
+
+
+@pytest.mark.parametrize("die", [dice.first, dice.second])
+def test_what_is_known_of_dice_is_found_without_a_pattern(detect, die):
+    rolled = die()
+    places = rolled.translations.astype(np.float32).astype(np.float64)
+    search = Search(
+        name="die", times=rolled.times, translations=places, rotations=rolled.rotations,
+        kinds=("space", "line", "point"),
+    )  # fmt: skip
+    assert [each.kind for each in detect(search).contacts] == [
+        each.kind for each in rolled.contacts
+    ]

@@ -1,0 +1,92 @@
+"""2005, section 3, against 2006: the best thresholds of height and speed, and no threshold at all.
+
+The rule is given the truth, and the one pair of thresholds with which it is most right on these
+very frames. The contacts are found with no template, or with the longest stance of each limb.
+"""
+
+from dataclasses import dataclass
+
+import pytest
+from usdmotion_contacts.thresholds import best_thresholds
+
+SEEDS = range(2)
+NOISE = (0.0, 0.005, 0.01, 0.02)
+"""Added to the points that frames are built from, along each axis [m]."""
+OUTLIERS = (0.0, 0.02)
+CLIPS = {"flat ground": ("force plates",), "parkour": ("parkour, feet", "parkour, hands")}
+
+
+@dataclass(frozen=True)
+class F1:
+    """Per frame, under one noise."""
+
+    rule: float
+    estimated: float
+    """Of the contacts that are found with no template."""
+    taught: float
+    """Of those with one of each limb that ever stands."""
+
+
+def measure(group, said, noise, outliers):
+    seeds = SEEDS if noise or outliers else SEEDS[:1]
+    noisy = [limb.noisy(noise, outliers, seed=seed) for seed in seeds for limb in group]
+    best = best_thresholds(*zip(*((n.search, n.held, n.known) for n in noisy), strict=True))
+    scores = [
+        sum((each.judge(said(each, templates=t(each))) for each in noisy[1:]),
+            noisy[0].judge(said(noisy[0], templates=t(noisy[0]))))
+        for t in (lambda limb: (), lambda limb: limb.longest)
+    ]  # fmt: skip
+    return F1(best.f1, *(score.f1 for score in scores))
+
+
+@pytest.fixture(scope="module")
+def table(limbs, said, tell):
+    """Return the figures by clips, noise and outliers."""
+    found = {}
+    for clips, names in CLIPS.items():
+        group = [limb for name in names for limb in limbs[name]]
+        for noise in NOISE:
+            for outliers in OUTLIERS:
+                f1 = measure(group, said, noise, outliers)
+                found[clips, noise, outliers] = f1
+                tell(
+                    f"F1 on {clips}, {noise * 1e3:2.0f} mm, {outliers:.0%} outliers: rule "
+                    f"{f1.rule:.3f}, contacts {f1.estimated:.3f}, with templates {f1.taught:.3f}"
+                )
+    return found
+
+
+@pytest.mark.parametrize("noise", NOISE)
+def test_on_flat_ground_contacts_are_as_right_as_the_best_thresholds(table, noise):
+    f1 = table["flat ground", noise, 0.0]
+    assert f1.estimated >= f1.rule - 0.02
+
+
+@pytest.mark.parametrize("noise", NOISE)
+def test_where_the_ground_is_not_flat_they_are_more_right(table, noise):
+    f1 = table["parkour", noise, 0.0]
+    assert f1.estimated > f1.rule
+
+
+@pytest.mark.parametrize("noise", NOISE)
+@pytest.mark.parametrize("clips", CLIPS)
+def test_with_outliers_they_are_more_right_everywhere(table, clips, noise):
+    f1 = table[clips, noise, 0.02]
+    assert f1.estimated > f1.rule
+
+
+@pytest.mark.parametrize("clips", CLIPS)
+def test_outliers_hardly_matter_to_them(table, clips):
+    for noise in NOISE:
+        with_them, without = table[clips, noise, 0.02], table[clips, noise, 0.0]
+        assert with_them.estimated >= without.estimated - 0.01
+        assert with_them.taught >= without.taught - 0.01
+
+
+@pytest.mark.parametrize("noise", NOISE[1:])
+def test_a_template_of_noisy_motion_is_as_good_as_the_estimate(table, noise):
+    """Of a clean stance it keeps the flat part, and rolling off counts as an outlier."""
+    for clips in CLIPS:
+        for outliers in OUTLIERS:
+            f1 = table[clips, noise, outliers]
+            assert f1.taught >= f1.rule - 0.02
