@@ -2,8 +2,9 @@
 
 The paper leaves them out (2006, section 3.1), because no displacement tells of them: one place
 after the other is on a line with the next. So they are looked for in the trajectory itself, as its
-longest pieces that are flat, or straight, within ε_max. This is geometry, and does not say why: a
-ball that is thrown stays on a plane as well, and a limb that swings about one axis does.
+longest pieces that are flat, or straight, within ε_max. So are short pieces of any smooth curve;
+but those bend, and noise does not. This is geometry, and does not say why: a ball that is thrown
+stays on a plane as well, and a limb that swings about one axis does.
 """
 
 import math
@@ -20,6 +21,13 @@ from usdmotion_contacts.tolerance import frame_tolerance
 
 WIDE = 10.0
 """A plane is known where the trajectory is so many times as wide on it as ε_max."""
+
+PARTS = 5
+"""A piece that bends is seen by the means of so many parts of it."""
+BENT = 0.25
+"""Such a mean is more than this share of ε_max off. A parabola, or a cubic, that is as long as it
+can be within ε_max has one of at least 0.4; noise is that far in one frame, not in the mean of
+many."""
 
 
 class _Path(NamedTuple):
@@ -44,6 +52,8 @@ class _Path(NamedTuple):
     vectors: Floats
     """Across a plane, along it, and the longest way last, by columns, shape (3, 3)."""
     work: Floats
+    parts: Floats
+    """Of each part of its length: frames, Σ ε_max, and sums across it, shape (PARTS, 4)."""
 
 
 class _Found(NamedTuple):
@@ -61,7 +71,8 @@ def slides(search: Search, moves: Displacements, kind: str, epsilon: Floats) -> 
     """Return the contacts of kind `plane` or `slide`.
 
     A piece has to be as long as d_max: what moves less is at one place. One on a plane has to be
-    as wide as dist_max as well, for else nothing tells which plane it is.
+    as wide as dist_max as well, for else nothing tells which plane it is. And it has to have two
+    frames on each part of its length, with which it can be told from a piece of a curve.
 
     Args:
         search: The motion.
@@ -75,6 +86,7 @@ def slides(search: Search, moves: Displacements, kind: str, epsilon: Floats) -> 
         epsilon=epsilon, limits=tolerances(search, moves), flat=kind == "plane",
         length=search.gap_distance, width=search.merge_distance, sums=np.zeros(10),
         center=np.zeros(3), values=np.zeros(3), vectors=np.zeros((3, 3)), work=np.zeros((3, 3)),
+        parts=np.zeros((PARTS, 4)),
     )  # fmt: skip
     found = _Found(*(np.zeros((frames, n)) for n in (2, 3, 3, 1)))
     count = _find(path, found) if frames > 2 else 0
@@ -126,12 +138,13 @@ def _find(path: _Path, found: _Found) -> int:
     """Write the longest pieces, one after the other, and return how many there are."""
     count, free, start = 0, 0, 0
     while start < path.times.shape[0] - 2:
-        end = _grow(path, start)
-        if not _is_wide(path, start, end):
+        end, begin = _grow(path, start), start
+        while begin > free and _off(path, begin - 1) <= path.epsilon[begin - 1]:
+            begin -= 1
+        if not (_is_wide(path, begin, end) and _is_even(path, begin, end)):
             start += max(1, (end - start) // 2)
             continue
-        while start > free and _off(path, start - 1) <= path.epsilon[start - 1]:
-            start -= 1
+        start = begin
         found.frames[count, 0], found.frames[count, 1] = start, end
         for i in range(3):
             found.centers[count, i] = path.center[i]
@@ -218,30 +231,57 @@ def _off(path: _Path, frame: int) -> float:
     """Return how far a frame is from the plane or line [m]."""
     square = 0.0
     for axis in range(1 if path.flat else 2):
-        along = 0.0
-        for i in range(3):
-            along += path.vectors[i, axis] * (path.places[frame, i] - path.center[i])
-        square += along**2
+        square += _from(path, frame, axis) ** 2
     return math.sqrt(square)
 
 
 @shared
 def _is_wide(path: _Path, start: int, end: int) -> bool:
     """Return whether a piece is as long, and on a plane as wide, as it has to be."""
-    if _extent(path, start, end, 2) < path.length:
+    low, high = _span(path, start, end, 2)
+    if high - low < path.length:
         return False
     least = max(path.width, WIDE * path.epsilon[start])
-    return not path.flat or _extent(path, start, end, 1) >= least
+    narrow, wide = _span(path, start, end, 1)
+    return not path.flat or wide - narrow >= least
 
 
 @shared
-def _extent(path: _Path, start: int, end: int, axis: int) -> float:
-    """Return how far a piece goes along one of the main axes, without what is off [m]."""
+def _is_even(path: _Path, start: int, end: int) -> bool:
+    """Return whether a piece does not bend: no part of its length is off as a whole."""
+    low, high = _span(path, start, end, 2)
+    path.parts[:] = 0.0
+    for frame in range(start, end + 1):
+        if _off(path, frame) > path.epsilon[frame]:
+            continue
+        share = (_from(path, frame, 2) - low) / (high - low)
+        sums = path.parts[min(PARTS - 1, int(PARTS * share))]
+        sums[0] += 1.0
+        sums[1] += path.epsilon[frame]
+        sums[2] += _from(path, frame, 0)
+        sums[3] += 0.0 if path.flat else _from(path, frame, 1)
+    for part in range(PARTS):
+        count, epsilon, across, along = path.parts[part]
+        if count < 2.0 or math.sqrt(across**2 + along**2) > BENT * epsilon:
+            return False
+    return True
+
+
+@shared
+def _from(path: _Path, frame: int, axis: int) -> float:
+    """Return how far a frame is from the middle, along one of the main axes [m]."""
+    along = 0.0
+    for i in range(3):
+        along += path.vectors[i, axis] * (path.places[frame, i] - path.center[i])
+    return along
+
+
+@shared
+def _span(path: _Path, start: int, end: int, axis: int) -> tuple[float, float]:
+    """Return from where to where a piece goes along a main axis, without what is off [m]."""
     low, high = 0.0, 0.0
     for frame in range(start, end + 1):
         if _off(path, frame) <= path.epsilon[frame]:
-            along = 0.0
-            for i in range(3):
-                along += path.vectors[i, axis] * (path.places[frame, i] - path.center[i])
+            along = _from(path, frame, axis)
             low, high = min(low, along), max(high, along)
-    return high - low
+    return low, high

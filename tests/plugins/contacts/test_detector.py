@@ -2,8 +2,15 @@
 
 import numpy as np
 import pytest
+from usdmotion_contacts import ContactDetector
 
-from usdmotion import OptionError
+from usdmotion import OptionError, configured
+from usdmotion.testing import check_detector
+
+
+@pytest.mark.parametrize("options", [{}, {"clock": 0.5}, {"reach": 0.0}])
+def test_it_keeps_the_contract_of_detectors(options) -> None:
+    check_detector(configured(ContactDetector, options))
 
 
 def test_two_rests_are_two_contacts_at_their_places(detect, two_stances) -> None:

@@ -57,6 +57,22 @@ def test_a_template_of_a_slide_says_how_straight_is_straight(detect) -> None:
     assert len(found.contacts) == 1
 
 
+@pytest.mark.parametrize("epsilon", [1e-4, 1e-3, 2e-3])
+def test_pieces_of_a_curve_are_not_straight_however_short(detect, epsilon) -> None:
+    angles = 0.8 * SECONDS
+    round_a_corner = np.stack([np.cos(angles), 0.0 * angles, np.sin(angles)], axis=1)
+    helix = round_a_corner + np.outer(0.3 * SECONDS, UP)
+    found = detect(search(round_a_corner, epsilon=epsilon)).contacts
+    assert [each.kind for each in found] == ["plane"]
+    assert not detect(search(helix, epsilon=epsilon)).contacts
+
+
+def test_what_rests_and_then_leaves_does_not_slide(detect) -> None:
+    since = np.clip(SECONDS - 3.0, 0.0, None)
+    leaving = np.stack([since**2, 0.5 * since, 0.3 * since**3], axis=1)
+    assert not detect(search(leaving, epsilon=2e-3)).contacts
+
+
 def test_what_rests_does_not_slide(detect) -> None:
     assert not detect(search(0.0 * path())).contacts
 

@@ -1,5 +1,7 @@
 """Lines and points: found where an axis stays, and nowhere else."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -105,3 +107,43 @@ def test_what_swings_about_something_far_from_it_touches_nothing(detect, held) -
     assert not detect(far).contacts
     assert len(detect(far, reach=10.0).contacts) == 1
     assert len(detect(far, reach=0.0).contacts) == 1
+
+
+def jolted(search: Search, *frames: int) -> Search:
+    """Return the motion with some frames somewhere else."""
+    places = np.array(search.translations)
+    places[list(frames)] += (0.2, -0.3, 0.1)
+    return replace(search, translations=places)
+
+
+def test_a_hinge_with_outliers_is_one_line(detect, held) -> None:
+    (line,) = detect(jolted(held(swinging()), 50, 51, 120)).contacts
+    assert (line.kind, line.start, line.end) == ("line", 0.0, 4.0)
+    assert np.allclose(np.cross(line.location - (1.0, 2.0, 3.0), AXIS), 0.0, atol=1e-6)
+
+
+def test_a_hinge_that_slides_along_its_axis_is_none(detect, held) -> None:
+    search = held(swinging())
+    sliding = search.translations + np.outer(0.2 * SECONDS, AXIS)
+    assert not detect(replace(search, translations=sliding)).contacts
+
+
+def test_a_hinge_that_stops_is_a_line_with_a_space_in_it(detect, held) -> None:
+    angles = np.interp(SECONDS, [0.0, 1.5, 2.5, 4.0], [0.0, 1.0, 1.0, 2.5])
+    search = held(Rotation.from_rotvec(np.outer(angles, AXIS)))
+    kinds = [(each.kind, each.start, each.end) for each in detect(search).contacts]
+    assert kinds[1] == ("space", pytest.approx(1.5, abs=0.04), pytest.approx(2.5, abs=0.04))
+    assert [kind for kind, *_ in kinds] == ["line", "space", "line"]
+    longer = detect(replace(search, gap=1.5)).contacts
+    assert sorted(each.kind for each in longer) == ["line", "space"]
+
+
+def test_over_uneven_samples_a_ball_joint_is_still_one_point(detect, held) -> None:
+    kept = np.sort(np.random.default_rng(0).permutation(len(SECONDS))[:150])
+    search = held(rolling())
+    (point,) = detect(replace(
+        search, times=search.times[kept] - search.times[kept[0]],
+        translations=search.translations[kept], rotations=search.rotations[kept],
+    )).contacts  # fmt: skip
+    assert point.kind == "point"
+    assert np.allclose(point.location, (1.0, 2.0, 3.0), atol=1e-9)
