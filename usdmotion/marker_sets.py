@@ -19,8 +19,16 @@ _LIMBS = {
     "Forearm": ("ELB", "WRA", "WRB"),
     "Hand": ("WRA", "WRB", "FIN"),
 }
-_SAME = {"VSAC": "SACR", "LSHA": "LTIB", "RSHA": "RTIB", "IJ": "CLAV", "PX": "STRN"}
-"""Other names of the same places."""
+_SAME = {"VSAC": "SACR", "SACRUM": "SACR", "IJ": "CLAV", "PX": "STRN"}
+"""Other names of the same places, without what is no letter or digit."""
+_SAME_ASIDE = {
+    **{"ASIS": "ASI", "PSIS": "PSI", "BAR1": "THI", "KNEE": "KNE", "KNEE1": "KNE", "SHA": "TIB"},
+    **{"BAR2": "TIB", "ANKLE": "ANK", "MALL": "ANK", "HEEL": "HEE", "MET": "TOE"},
+    **{"SHOULD": "SHO", "SHOULDER": "SHO", "ELBOW": "ELB", "WRIST": "WRI"},
+}
+"""The same after an L or R."""
+_ASIDE = "ASI PSI THI KNE TIB ANK HEE TOE SHO UPA ELB FRA WRA WRB WRI FIN FHD BHD BAK".split()
+"""Places that are there on both sides, after an L or R."""
 _COPY = re.compile(r"_\d+$")
 _NUMBERED = re.compile(r"(.*\D)0*(\d+)")
 _MOST = 6
@@ -39,11 +47,20 @@ def places(labels: Sequence[str]) -> dict[str, str]:
     """
     found: dict[str, str] = {}
     for label in labels:
-        name = plain(label).upper()
-        name = _SAME.get(name, name)
+        name = plain(label)
         if not _COPY.search(name):
-            found.setdefault(name, label)
+            found.setdefault(_place(name), label)
     return found
+
+
+def _place(name: str) -> str:
+    bare = "".join(letter for letter in name.upper() if letter.isalnum())
+    if bare in _SAME:
+        return _SAME[bare]
+    core = _SAME_ASIDE.get(bare[1:], bare[1:])
+    if bare[:1] in ("L", "R") and core in _ASIDE:
+        return bare[0] + core
+    return name.upper()
 
 
 def segments_of(labels: Sequence[str]) -> dict[str, tuple[str, ...]]:

@@ -77,11 +77,13 @@ def import_motion(
 def _completed(capture: Capture) -> Capture:
     """Return a capture with what can be told from its markers."""
     from usdmotion.clustering import find_clusters
+    from usdmotion.fitting import fit
 
-    if capture.clusters:
-        return capture
-    clusters, notes = find_clusters(capture.markers)
-    return replace(capture, clusters=clusters, notes=(*capture.notes, *notes))
+    if not capture.clusters:
+        clusters, notes = find_clusters(capture.markers)
+        capture = replace(capture, clusters=clusters, notes=(*capture.notes, *notes))
+    fitted, notes = fit(capture)
+    return replace(capture, fitted=fitted, notes=(*capture.notes, *notes))
 
 
 def inspect(shot: Path) -> Inspection:
