@@ -6,7 +6,7 @@ from pxr import Usd, UsdGeom
 
 from usdmotion import pipeline, usd
 from usdmotion.constraints import ContactConstraint, built_in
-from usdmotion.kernels import rotate, world_points
+from usdmotion.kernels import conjugate, multiply, rotate, world_points
 
 TURNED = """
     double xformOp:rotateX = -90
@@ -84,6 +84,10 @@ def test_a_contact_is_held_where_the_joint_is(shot, detect, opened, tmp_path, ro
         first, last = np.searchsorted(scene.times, np.array(contact.times[1:3]) - 1e-9)
         middle = (first + last) // 2
         np.testing.assert_allclose(point[middle], held[middle], atol=1e-8)
+        node = scene.cast.index[contact.skeleton, contact.joint]
+        turned = multiply(contact.space.rotation, contact.orientation)
+        apart = multiply(conjugate(turned), scene.cast.orientations[middle, node])
+        np.testing.assert_allclose(np.abs(apart), [0, 0, 0, 1], atol=1e-7)
         assert contact.residual == pytest.approx(0.001)
 
 

@@ -45,8 +45,12 @@ class Survey:
 
     @cached_property
     def detections(self) -> list[Usd.Prim]:
-        """The MotionDetections, those that are switched off too."""
-        return [prim for prim in self._prims if is_a(prim, "UsdMotionDetection")]
+        """The MotionDetections that can be written to, those that are switched off too."""
+        return [
+            prim
+            for prim in self._prims
+            if is_a(prim, "UsdMotionDetection") and not prim.IsInstanceProxy()
+        ]
 
     @cached_property
     def edits(self) -> list[Usd.Prim]:
