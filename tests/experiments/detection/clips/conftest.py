@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 from pxr import Usd
 from scipy.spatial.transform import Rotation
+from usdmotion_contacts import ContactDetector
 
 from usdmotion import Contact, Detected, Search, Template, pipeline, usd
 from usdmotion.arrays import Bools, Floats
 from usdmotion.asking import Asked
-from usdmotion.plugins import host
 
 SLOW, OVER, LEAST = 0.1, 0.1, 0.25
 """What rests: slower than that share of its fast speed, over so many seconds, for so many."""
@@ -89,7 +89,7 @@ def template(search: Search) -> Template:
 def detected(search: Search) -> Example:
     """Return what is detected with that template."""
     search = replace(search, templates=(template(search),), minimum=MINIMUM)
-    return Example(search, host().detector("contacts")().detect(search))
+    return Example(search, ContactDetector().detect(search))
 
 
 @pytest.fixture(scope="session")
