@@ -26,11 +26,13 @@ class Noise:
     """What one template says."""
 
     times: tuple[float, float]
+    """Its first and its last sample [s]."""
     sigma: float | None
     """σ_max that it asks for; None of a line or point, whose σ1 is always 0."""
     ceiling: float
     """What σ_max has to stay below."""
     epsilon: float
+    """ε_max that it asks for [m]."""
 
 
 def taught(search: Search, points: SigmaEpsilon) -> tuple[list[Noise], list[str]]:
@@ -97,10 +99,11 @@ def _knots(values: list[tuple[tuple[float, float], float]]) -> Knots:
 
 def _capped(knots: Knots, noises: list[Noise]) -> Knots:
     """Return knots that stay below the ceilings of the lines and points that were shown."""
+    turning = [each for each in noises if np.isfinite(each.ceiling)]
+    if not turning:
+        return knots
     spline, capped = _spline(knots), dict(knots)
-    for each in noises:
-        if not np.isfinite(each.ceiling):
-            continue
+    for each in turning:
         start, end = each.times
         for time in (start, end, *(time for time in knots if start < time < end)):
             before = capped.get(time, float(spline.at(np.array(time))))

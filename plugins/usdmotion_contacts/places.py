@@ -42,7 +42,7 @@ def places(
     """
     count = int(np.count_nonzero(resting))
     groups, points = groups_of(count), weighed_points(search)
-    near = search.merge_distance + _seeming(points, moves, pattern)
+    near = search.merge_distance + _seeming(points, pattern)
     stats = _Places(np.zeros((count, len(points), 3)), np.zeros(count), near)
     owners = np.full(len(search.times), -1, dtype=np.int64)
     if count:
@@ -66,11 +66,9 @@ def weighed_points(search: Search) -> Floats:
     return np.concatenate([points[:1], arm * np.eye(3)])
 
 
-def _seeming(points: Floats, moves: Displacements, pattern: NoisePattern) -> Floats:
+def _seeming(points: Floats, pattern: NoisePattern) -> Floats:
     """Return how far points that rest may seem to move [m], (P, 3) to (P,)."""
-    if not moves.count:
-        return np.zeros(len(points))
-    sigma, epsilon = (np.median(each.at(moves.times)) for each in (pattern.sigma, pattern.epsilon))
+    sigma, epsilon = (np.median(each.values) for each in (pattern.sigma, pattern.epsilon))
     return np.asarray(epsilon + sigma * np.linalg.norm(points, axis=1))
 
 
