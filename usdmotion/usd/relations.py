@@ -68,9 +68,10 @@ def skeleton_of(prim: Usd.Prim) -> Usd.Prim | None:
     named = target(prim, "usdmotion:skeleton")
     if named is not None:
         return named if is_a(named, "UsdSkelSkeleton") else None
-    edit = edit_of(prim)
-    if edit is not None and edit != prim:
-        return skeleton_of(edit)
+    for kind in ("UsdMotionEdit", "UsdMotionDetection"):
+        above = _nearest(prim, kind)
+        if above is not None and above != prim:
+            return skeleton_of(above)
     return _nearest(prim, "UsdSkelSkeleton")
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from usdmotion import OptionError, SceneError
+from usdmotion import OptionError, SceneError, inspect
 from usdmotion.asking import Example
 
 BOX = """
@@ -54,6 +54,27 @@ class TestJoints:
             SceneError, match=r"no joint 'fot' on </Man/Bones>; did you mean 'foot'"
         ):
             detect(shot(), joints=["fot"])
+
+    def test_a_last_name_that_several_joints_have(self, shot, detect):
+        twins = shot()
+        text = twins.read_text().replace("hips/hand", "hips/foot/foot")
+        twins.write_text(text)
+        with pytest.raises(SceneError, match="has 2 joints called 'foot'; write one of hips/foot,"):
+            detect(twins, joints=["foot"])
+        assert objects(detect(twins, joints=["hips/foot/foot"])) == ["hips/foot/foot"]
+
+    def test_a_skeleton_that_cannot_be_read_is_in_nobodys_way(self, shot, detect):
+        sheared = """def SkelRoot "Bent" {
+            float3 xformOp:scale = (1, 2, 1)
+            uniform token[] xformOpOrder = ["xformOp:scale"]
+            def Skeleton "Bones" (prepend apiSchemas = ["SkelBindingAPI"]) {
+                uniform token[] joints = ["root"]
+                rel skel:animationSource = </Man/Walk>
+            }
+        }"""
+        assert objects(detect(shot(more=sheared), joints=["foot"])) == ["hips/foot"]
+        with pytest.raises(SceneError, match="</Bent/Bones> is scaled unevenly"):
+            detect(shot("b.usda", more=sheared), "b.out.usda", joints=["root"])
 
     def test_nobody_knows_the_feet(self, shot, detect):
         bare = shot()
@@ -255,6 +276,20 @@ class TestSettings:
     def test_an_option_that_there_is_not(self, shot, detect):
         with pytest.raises(OptionError, match="has no option 'slick'; it has: slack"):
             detect(shot(), options={"slick": 1})
+
+    def test_a_detection_may_stand_anywhere_and_its_contacts_are_data_there(
+        self, shot, detect, still, tmp_path
+    ):
+        elsewhere = """def MotionDetection "Foot" {
+            rel usdmotion:skeleton = </Man/Bones>
+            uniform token usdmotion:joint = "hips/foot"
+        }"""
+        report = detect(shot(more=elsewhere))
+        assert [each.path for each in report.objects] == ["/Foot"]
+        found = inspect(tmp_path / "out.usda")
+        assert not found.faults
+        assert [(each.edit, each.contacts) for each in found.detections] == [("", 3)]
+        assert not found.constraints
 
     def test_an_edit_that_is_named_is_where_contacts_go(self, shot, detect):
         two = 'def MotionEdit "One" {}\ndef MotionEdit "Two" {}'

@@ -88,6 +88,8 @@ def test_a_contact_is_held_where_the_joint_is(shot, detect, opened, tmp_path, ro
         turned = multiply(contact.space.rotation, contact.orientation)
         apart = multiply(conjugate(turned), scene.cast.orientations[middle, node])
         np.testing.assert_allclose(np.abs(apart), [0, 0, 0, 1], atol=1e-7)
+        axis = rotate(contact.space.rotation, contact.axis)
+        np.testing.assert_allclose(axis, [0, 1, 0], atol=1e-7)
         assert contact.residual == pytest.approx(0.001)
 
 

@@ -15,13 +15,12 @@ def leaf_of(token: str) -> str:
     return token.rsplit("/", 1)[-1]
 
 
-def find_joint(name: str, tokens: Sequence[str], parts: PartMap, path: str) -> str | None:
+def find_joint(name: str, tokens: Sequence[str], path: str) -> str | None:
     """Return the token of the joint that a name means, None where it means none.
 
     Args:
-        name: A token, the last name of just one, or an H-Anim name.
+        name: A token, or the last name of just one.
         tokens: The joints of the skeleton.
-        parts: Which of them are which part of a body, as far as it is known.
         path: Path of the Skeleton, for the error.
 
     Raises:
@@ -34,10 +33,7 @@ def find_joint(name: str, tokens: Sequence[str], parts: PartMap, path: str) -> s
         raise SceneError(
             f"<{path}> has {len(same)} joints called '{name}'; write one of {', '.join(same)}"
         )
-    if same:
-        return same[0]
-    joint = parts.joint(name)
-    return None if joint is None else tokens[joint]
+    return same[0] if same else None
 
 
 def unknown_joint(name: str, tokens: Sequence[str], paths: Sequence[str]) -> SceneError:

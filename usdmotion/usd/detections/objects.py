@@ -7,11 +7,12 @@ from pxr import Sdf, Usd
 
 from usdmotion.asking import Asked
 from usdmotion.errors import SceneError
+from usdmotion.humanoid import PARTS
 from usdmotion.usd.concerns import concerns
 from usdmotion.usd.detections.joints import feet_of, find_joint, unknown_joint
 from usdmotion.usd.detections.performers import Performer
 from usdmotion.usd.detections.survey import Survey
-from usdmotion.usd.relations import edit_of, is_a, skeleton_of, target, value
+from usdmotion.usd.relations import edit_of, is_a, joints_of, skeleton_of, target, value
 from usdmotion.usd.stages import refuse
 
 
@@ -94,19 +95,30 @@ def _of_detections(here: Survey) -> Iterator[Watched]:
 
 
 def _of_joint(here: Survey, name: str) -> list[Watched]:
-    performers = here.performers
-    if not performers:
+    if not here.skeletons:
         raise SceneError(
             f"there is no Skeleton that could have the joint '{name}'; name a prim with --prims"
         )
     found = []
-    for each in performers:
-        token = find_joint(name, each.tokens, each.parts, each.path)
+    for skeleton in here.skeletons:
+        token = _token(here, skeleton, name)
         if token is not None:
-            found.append(Watched(here.detection_of(each.path, token), each, token, None))
+            known = here.detection_of(str(skeleton.GetPath()), token)
+            found.append(Watched(known, here.performer(skeleton), token, None))
     if not found:
-        raise unknown_joint(name, performers[0].tokens, [each.path for each in performers])
+        paths = [str(skeleton.GetPath()) for skeleton in here.skeletons]
+        raise unknown_joint(name, joints_of(here.skeletons[0]), paths)
     return found
+
+
+def _token(here: Survey, skeleton: Usd.Prim, name: str) -> str | None:
+    """Return the joint of a skeleton that a name means; its motion is read only if it has to be."""
+    token = find_joint(name, joints_of(skeleton), str(skeleton.GetPath()))
+    if token is not None or name not in PARTS:
+        return token
+    performer = here.performer(skeleton)
+    joint = performer.parts.joint(name)
+    return None if joint is None else performer.tokens[joint]
 
 
 def _of_prim(here: Survey, path: str) -> list[Watched]:
@@ -123,7 +135,8 @@ def _of_prim(here: Survey, path: str) -> list[Watched]:
 
 
 def _feet(here: Survey) -> Iterator[Watched]:
-    for each in here.performers:
+    for skeleton in here.skeletons:
+        each = here.performer(skeleton)
         for token in feet_of(each.tokens, each.parts):
             yield Watched(here.detection_of(each.path, token), each, token, None)
 
@@ -142,12 +155,12 @@ def _switched_on(watched: Iterable[Watched]) -> tuple[Watched, ...]:
 
 
 def _nothing(here: Survey) -> str:
-    if not here.performers:
+    if not here.skeletons:
         such = ", ".join(here.moving[:4])
         return "there is no Skeleton and no MotionDetection; name animated prims with --prims" + (
             f", such as {such}" if such else ""
         )
-    paths = ", ".join(f"<{each.path}>" for each in here.performers)
+    paths = ", ".join(f"<{skeleton.GetPath()}>" for skeleton in here.skeletons)
     return (
         f"nobody knows which joints of {paths} are feet; name joints with --joints, or say in "
         "usdmotion:parts which they are"

@@ -71,18 +71,17 @@ class Survey:
             and UsdGeom.Xformable(prim).TransformMightBeTimeVarying()
         ]
 
-    @property
-    def performers(self) -> list[Performer]:
-        """The skeletons that are of interest and that something moves."""
+    @cached_property
+    def skeletons(self) -> list[Usd.Prim]:
+        """The Skeletons that are of interest and that something moves."""
         if self.only is not None:
-            skeleton = skeleton_of(self.only)
-            assert skeleton is not None
-            return [self.performer(skeleton)]
-        skeletons = [prim for prim in self._prims if is_a(prim, "UsdSkelSkeleton")]
+            return [prim for prim in (skeleton_of(self.only),) if prim is not None]
         return [
-            self.performer(prim)
-            for prim in skeletons
-            if prim.IsActive() and (bound_animation(prim) is not None or self.edit_for(prim))
+            prim
+            for prim in self._prims
+            if is_a(prim, "UsdSkelSkeleton")
+            and prim.IsActive()
+            and (bound_animation(prim) is not None or self.edit_for(prim) is not None)
         ]
 
     def performer(self, skeleton: Usd.Prim) -> Performer:
