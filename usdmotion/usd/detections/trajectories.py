@@ -110,8 +110,15 @@ def _corners(prim: Usd.Prim, code: float) -> Floats:
     """
     shown = [UsdGeom.Tokens.default_, UsdGeom.Tokens.proxy, UsdGeom.Tokens.render]
     cache = UsdGeom.BBoxCache(Usd.TimeCode(code), shown, useExtentsHint=True)
-    box = cache.ComputeUntransformedBound(prim)
-    if box.GetRange().IsEmpty():
+    found = []
+    # The box of what stands above shapes is along the world's axes; each shape's own is not.
+    for each in Usd.PrimRange(prim, Usd.TraverseInstanceProxies()):
+        if each.IsA(UsdGeom.Boundable):
+            box = cache.ComputeRelativeBound(each, prim)
+            if not box.GetRange().IsEmpty():
+                matrix, extent = box.GetMatrix(), box.GetRange()
+                found += [matrix.Transform(extent.GetCorner(corner)) for corner in range(8)]
+    if not found:
         return np.zeros((1, 3))
-    matrix, extent = box.GetMatrix(), box.GetRange()
-    return np.array([matrix.Transform(extent.GetCorner(corner)) for corner in range(8)])
+    low, high = np.min(found, axis=0), np.max(found, axis=0)
+    return np.asarray(np.where(list(np.ndindex(2, 2, 2)), high, low))
