@@ -38,3 +38,5 @@ class Asked:
     """Contacts that last for less are dropped [s]."""
     edit: str = ""
     """Path of the MotionEdit whose skeleton is looked at, and where contacts go."""
+    guides: bool = True
+    """Whether contacts are drawn too, for people to look at."""

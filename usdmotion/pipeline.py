@@ -110,6 +110,7 @@ def detect(
     options: Mapping[str, object] | None = None,
     minimum: float | None = None,
     edit: str = "",
+    guides: bool = True,
     say: Say = lambda _: None,
 ) -> DetectionReport:
     """Look for contacts on a shot, and write a layer over it that has them.
@@ -128,6 +129,7 @@ def detect(
         options: Options of it, on top of those on the stage.
         minimum: Contacts that last for less are dropped [s].
         edit: Path of the MotionEdit whose skeleton is looked at.
+        guides: Draw the contacts too, for people to look at.
         say: Is told what is being done.
 
     Raises:
@@ -143,6 +145,7 @@ def detect(
         options=dict(options or {}),
         minimum=minimum,
         edit=edit,
+        guides=guides,
     )
     return search(shot, output, asked, say=say)
 

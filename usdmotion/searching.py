@@ -75,6 +75,8 @@ def search_over(overlay: Overlay, asked: Asked, *, say: Say = lambda _: None) ->
         say(f"looking at {each.search.name}")
         found.append(_found(each))
     authored = usd.author_detections(overlay.stage, found)
+    if asked.guides:
+        usd.author_contact_guides(overlay.stage, authored)
     report = DetectionReport(
         tuple(_object(each) for each in authored),
         tuple(note for each in authored for note in each.notes),

@@ -36,6 +36,9 @@ Templates = Annotated[
 Minimum = Annotated[
     float | None, typer.Option(metavar="SECONDS", help="Drop contacts that last for less.")
 ]
+Guides = Annotated[
+    bool, typer.Option("--guides/--no-guides", help="Draw the contacts too, to look at.")
+]
 
 
 @app.command(
@@ -54,6 +57,7 @@ def detect(
     edit: Annotated[
         str, typer.Option(metavar="PATH", help="Look at the skeleton of this edit only.")
     ] = "",
+    guides: Guides = True,
     json: Json = None,
     quiet: Quiet = False,
 ) -> None:
@@ -74,6 +78,7 @@ def detect(
             options=options_of(option),
             minimum=minimum,
             edit=edit,
+            guides=guides,
             say=say,
         )
     terminal.note(*found.notes)

@@ -1,6 +1,13 @@
 """The shapes of what there is to look at: arrays in, arrays out, in metres."""
 
-from usdmotion.guides.contacts import ContactGuide, Held, contact_guide, size_of, trajectory
+from usdmotion.guides.contacts import (
+    ContactGuide,
+    Held,
+    apart,
+    contact_guide,
+    size_of,
+    trajectory,
+)
 from usdmotion.guides.palette import COLORS, Color, another
 from usdmotion.guides.segments import GIRTH, SegmentGuide, segment_guide
 
@@ -12,6 +19,7 @@ __all__ = [
     "Held",
     "SegmentGuide",
     "another",
+    "apart",
     "contact_guide",
     "segment_guide",
     "size_of",

@@ -1,6 +1,7 @@
 """What there is to see of a contact: held points, axis, number, the way in and out."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -9,13 +10,15 @@ from usdmotion.guides.digits import strokes
 from usdmotion.guides.polylines import simplified
 from usdmotion.kernels import rotate
 
-_UNKNOWN_SIZE = 0.08
+_UNKNOWN_SIZE = 0.12
 """Of an object that is one point, as the last joint of a limb [m]."""
 _BEYOND = 0.25
 """How far an axis stands out beyond the object, over its size."""
 _HEIGHT, _GAP = 0.6, 0.2
 """Height of a number, and how far it is above what is held, over the size of the object."""
-_DETAIL = 0.01
+_CLEAR, _APART = 1.2, 0.6
+"""How near numbers may be, and how far one is lifted at a time, over their height."""
+_DETAIL = 0.03
 """How exactly ways are drawn, over the size of the object."""
 
 
@@ -79,7 +82,7 @@ def contact_guide(
     size = size_of(points)
     translation, rotation = _pose(held)
     there = rotate(rotation, points) + translation
-    marks = there if held.kind == "space" else held.location[None]
+    marks = np.unique(there, axis=0) if held.kind == "space" else held.location[None]
     top = np.concatenate([there, marks]) @ up
     foot = held.location + (top.max() + _GAP * size - held.location @ up) * up
     return ContactGuide(
@@ -93,6 +96,22 @@ def contact_guide(
         translation=translation,
         rotation=rotation,
     )
+
+
+def apart(guides: Sequence[ContactGuide], up: Floats) -> tuple[ContactGuide, ...]:
+    """Return guides with their numbers lifted so that none is drawn over one before it."""
+    lifted: list[ContactGuide] = []
+    feet: list[Floats] = []
+    for guide in guides:
+        points = np.concatenate(guide.number)
+        height = np.ptp(points @ up)
+        foot = points.mean(axis=0)
+        while any(np.linalg.norm(foot - other) < _CLEAR * height for other in feet):
+            foot = foot + _APART * height * up
+        feet.append(foot)
+        shift = foot - points.mean(axis=0)
+        lifted.append(replace(guide, number=tuple(stroke + shift for stroke in guide.number)))
+    return tuple(lifted)
 
 
 def trajectory(translations: Floats, points: Floats) -> Floats:

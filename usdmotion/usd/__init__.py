@@ -21,6 +21,7 @@ from usdmotion.usd.detections import (
     read_searches,
 )
 from usdmotion.usd.edit_layers import read_outcomes
+from usdmotion.usd.guides import author_contact_guides
 from usdmotion.usd.inspected import Inspection
 from usdmotion.usd.inspection import inspect
 from usdmotion.usd.new_stages import new_stage
@@ -41,6 +42,7 @@ __all__ = [
     "Shot",
     "author",
     "author_character",
+    "author_contact_guides",
     "author_detections",
     "author_edit",
     "author_mesh",

@@ -118,6 +118,32 @@ def set_value(prim: Sdf.PrimSpec, name: str, kind: Sdf.ValueTypeName, value: obj
     attribute.default = value
 
 
+def set_varying(
+    prim: Sdf.PrimSpec,
+    name: str,
+    kind: Sdf.ValueTypeName,
+    value: object,
+    interpolation: str = "",
+) -> None:
+    """Give a prim an attribute that may vary, with one value or one at each of some times.
+
+    Args:
+        prim: The spec.
+        name: Name of the attribute.
+        kind: Its type.
+        value: Its value; a dictionary has those at time codes.
+        interpolation: Of a primvar, how it covers the prim.
+    """
+    attribute = _attribute(prim, name, kind, Sdf.VariabilityVarying)
+    if interpolation:
+        attribute.SetInfo("interpolation", interpolation)
+    if not isinstance(value, dict):
+        attribute.default = value
+        return
+    for code, sample in value.items():
+        prim.layer.SetTimeSample(attribute.path, code, sample)
+
+
 def write_animation(
     prim: Sdf.PrimSpec, joints: Sequence[str], samples: Samples, still: Sequence[str] = ()
 ) -> None:

@@ -7,6 +7,7 @@ from pxr import Usd, UsdGeom
 from usdmotion import pipeline, usd
 from usdmotion.constraints import ContactConstraint, built_in
 from usdmotion.kernels import conjugate, multiply, rotate, world_points
+from usdmotion.usd.detections.contact_prims import contact_prims
 
 TURNED = """
     double xformOp:rotateX = -90
@@ -53,7 +54,7 @@ def test_there_is_a_contact_for_each_stand_with_its_times(shot, detect, opened, 
     detection = opened().GetPrimAtPath(steps.detection)
     assert detection.GetTypeName() == "MotionDetection"
     assert detection.GetParent().GetTypeName() == "MotionEdit"
-    assert [child.GetName() for child in detection.GetChildren()] == [
+    assert [prim.GetName() for prim in contact_prims(detection)] == [
         "Contact01",
         "Contact02",
         "Contact03",
@@ -63,8 +64,8 @@ def test_there_is_a_contact_for_each_stand_with_its_times(shot, detect, opened, 
 def test_a_contact_eases_for_a_fifth_of_a_second_or_half_the_free_time(shot, detect, opened, steps):
     detect(shot())
     times = [
-        [float(code) for code in child.GetAttribute("usdmotion:times").Get()]
-        for child in opened().GetPrimAtPath(steps.detection).GetChildren()
+        [float(code) for code in prim.GetAttribute("usdmotion:times").Get()]
+        for prim in contact_prims(opened().GetPrimAtPath(steps.detection))
     ]
     # 24 time codes a second: 4.8 are a fifth of one, and 5 are free between two stands.
     assert times == [[1, 1, 6, 8.5], [8.5, 11, 16, 18.5], [18.5, 21, 24, 24]]

@@ -1,0 +1,99 @@
+"""Contacts of the dice, and of a walk that is carried about, with what is drawn of them."""
+
+from pathlib import Path
+
+import pytest
+from pxr import Sdf, Usd
+
+from usdmotion import demos, pipeline
+
+DICE = ("/Dice/First", "/Dice/Second")
+FEET = ("LeftFoot", "RightFoot")
+CARRIED = """#usda 1.0
+(
+    metersPerUnit = 0.01
+    upAxis = "Y"
+    timeCodesPerSecond = 24
+    framesPerSecond = 24
+    startTimeCode = 12
+    endTimeCode = 300
+)
+def Xform "World"
+{
+    double3 xformOp:translate.timeSamples = { 150: (50, 0, 0), 300: (150, 20, -40) }
+    double xformOp:rotateY.timeSamples = { 150: 30, 300: 50 }
+    double3 xformOp:scale = (0.5, 0.5, 0.5)
+    uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:rotateY", "xformOp:scale"]
+
+    def "Walker" (
+        references = @./reaching.usda@</Walker> (offset = 10; scale = 2)
+    )
+    {
+    }
+}
+"""
+"""A walker on something that sets off halfway, at half his size and other time codes."""
+
+
+@pytest.fixture(scope="session")
+def detected(tmp_path_factory):
+    """Return what looks for contacts on a stage and opens what it wrote."""
+
+    def run(shot: Path, name: str = "contacts.usda", **asked) -> Usd.Stage:
+        output = tmp_path_factory.mktemp("detected") / name
+        pipeline.detect(shot, output, **asked)
+        return Usd.Stage.Open(str(output))
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def dice_shot(tmp_path_factory):
+    return demos.build("dice", tmp_path_factory.mktemp("dice"))
+
+
+@pytest.fixture(scope="session")
+def dice(dice_shot, detected):
+    return detected(dice_shot, prims=DICE, kinds=("space", "line", "point"))
+
+
+@pytest.fixture(scope="session")
+def walk_shot(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("walk")
+    demos.build("reaching", folder)
+    (folder / "carried.usda").write_text(CARRIED)
+    return folder / "carried.usda"
+
+
+@pytest.fixture(scope="session")
+def walk(walk_shot, detected):
+    return detected(walk_shot, joints=FEET, minimum=0.1)
+
+
+@pytest.fixture(scope="session")
+def contacts_of():
+    """Return what lists the contacts of a stage that are on."""
+
+    def run(stage: Usd.Stage) -> list[Usd.Prim]:
+        kind = "MotionContactConstraint"
+        return [prim for prim in stage.Traverse() if prim.GetTypeName() == kind]
+
+    return run
+
+
+@pytest.fixture
+def over(tmp_path):
+    """Return what writes a layer over a stage, which is edited before it is saved."""
+
+    def run(stage: Usd.Stage, edit, name: str = "person.usda") -> Path:
+        path = tmp_path / name
+        layer = Sdf.Layer.CreateNew(str(path))
+        layer.subLayerPaths.append(stage.GetRootLayer().realPath)
+        above = Usd.Stage.Open(layer)
+        for name in ("metersPerUnit", "upAxis", "timeCodesPerSecond", "framesPerSecond"):
+            above.SetMetadata(name, stage.GetMetadata(name))
+        edit(above)
+        layer.Save()
+        return path
+
+    return run
