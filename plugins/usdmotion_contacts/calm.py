@@ -14,7 +14,7 @@ SLOW = 0.1
 """What drifts by less rests, where nothing else tells [m/s]."""
 STANDSTILL = 1e-3
 """Drifts slower than this are all the same: a frozen frame is no third mode [m/s]."""
-TWO_MODES, TIMES_AS_FAST = 3.0, 4.0
+TWO_MODES, TIMES_AS_FAST = 3.2, 4.0
 """Ashman's D of two modes that are two, the halves of one normal distribution having 2.65; and how
 far apart they are."""
 SHORTEST_STEP, LONGEST_STEP = 0.02, 0.16
@@ -35,7 +35,7 @@ class Calm:
     rests: Bools
     """The frames on which it does not go anywhere, shape (frame_count,)."""
     slow: float
-    """What drifts by less rests [m/s]; 0 of an object that never does."""
+    """What drifts by less rests [m/s]."""
     usual: float
     """How fast it goes when it goes [m/s], the geometric mean."""
     noise: float
@@ -49,7 +49,7 @@ class Calm:
         any noise in it: that goes no farther with time. Single outliers are left out. Drifts of
         something that now rests and now moves have two modes, whose logarithms are parted where
         the classes are farthest from each other (Otsu 1979). With one mode only it rests
-        throughout or never, as slow as `SLOW` or faster.
+        where it is slower than `SLOW`: always, never, or now and then in a dance.
 
         Args:
             times: Ascending [s], shape (frame_count,).
@@ -136,16 +136,17 @@ def _drift(times: Floats, places: Floats, half: float, drifts: Floats) -> None:
             drifts[frame] = math.sqrt(x * x + y * y + z * z) / spread
 
 
-def _parted(logarithms: Floats, throughout: float) -> tuple[float, float]:
+def _parted(logarithms: Floats, otherwise: float) -> tuple[float, float]:
     """Return the speed below which an object rests, and the usual one above it [m/s].
 
     Args:
         logarithms: Of its drifts, shape (frame_count,).
-        throughout: What drifts by less, and in one mode, always rests [m/s].
+        otherwise: What drifts by less rests if there is one mode only [m/s].
     """
     ascending = np.sort(logarithms)
-    middle, total = float(np.median(ascending)), len(ascending)
-    one_mode = throughout if middle < math.log(throughout) else 0.0, math.exp(middle)
+    total, limit = len(ascending), math.log(otherwise)
+    moving = ascending[ascending > limit] if ascending[-1] > limit else ascending
+    one_mode = otherwise, math.exp(moving.mean())
     if total < 2:
         return one_mode
     sums = np.cumsum(ascending)

@@ -27,8 +27,8 @@ def estimate(search: Search, projected: SigmaEpsilon) -> NoisePattern:
     What it assumes:
 
     * The object rests now and then for a fifth of a second and is four times as fast in between;
-      or it never rests; or it rests throughout, slower than 0.1 m/s. `Calm` tells which. That is
-      the only absolute speed, and one of something as large as a person.
+      or else it rests where it is slower than 0.1 m/s, if anywhere. `Calm` tells which. That is the
+      only absolute speed, and one of something as large as a person.
     * Noise is independent from frame to frame and the same all the time, but for single outliers,
       if they are few. What rests without any is noiseless: then only numerical noise is left.
 

@@ -115,8 +115,21 @@ def test_what_never_rests_is_not_held(detect, untaught):
     search = untaught(noise=0.001)
     angle = 4.0 * search.times
     circle = np.stack([np.cos(angle), 0.0 * angle, np.sin(angle)], axis=1)
-    assert calm(moved(search, circle)).slow == 0.0
+    assert not calm(moved(search, circle)).rests.any()
     assert not detect(moved(search, circle)).contacts
+
+
+def test_what_stops_now_and_then_in_the_middle_of_all_speeds_is_held_there(detect, untaught):
+    times = np.arange(721) / 120.0
+    # As often as fast as slow: the logarithms of its speeds have no two modes.
+    speeds = 0.5 * np.exp(1.2 * np.sin(2.0 * np.pi * times / 3.0))
+    speeds[(times > 2.0) & (times < 2.5)] = 0.0
+    way = np.cumsum(speeds)[:, None] / 120.0 * np.array([[1.0, 0.0, 0.0]])
+    still = np.tile([0.0, 0.0, 0.0, 1.0], (len(times), 1))
+    search = Search(name="foot", times=times, translations=way, rotations=still)
+    (only,) = (each for each in detect(search).contacts if each.end - each.start > 0.2)
+    assert only.start == pytest.approx(2.0, abs=0.1)
+    assert only.end == pytest.approx(2.5, abs=0.1)
 
 
 def test_what_always_rests_is_held_throughout(detect, untaught):
