@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 import typer
 
-from usdmotion import cli, pipeline, solved
+from usdmotion import cli, demos, pipeline, solved
 from usdmotion.plugins import host
 
 ArmShot = Callable[..., Path]
@@ -64,6 +64,7 @@ def test_these_are_the_verbs() -> None:
         "inspect",
         "detect",
         "solve",
+        "clean",
         "report",
         "plugins",
         "demo",
@@ -89,6 +90,8 @@ def test_every_example_works(verb: str, run: Run, arm_shot: ArmShot, tmp_path: P
     (tmp_path / "walk.bvh").write_text(BVH)
     if verb == "report":
         pipeline.solve(shot, tmp_path / "shot.edit.usda")
+    if verb == "clean":
+        demos.build("skating", tmp_path).replace(shot)
     said = run(*example(verb))
     assert said.status == 0, said.err
 
@@ -180,7 +183,7 @@ def test_a_wrong_call_ends_with_two(run: Run, words: list[str]) -> None:
 
 def test_a_bug_ends_with_one_and_its_traceback(arm_shot: ArmShot) -> None:
     script = (
-        "import sys; from usdmotion import cli, pipeline\n"
+        "import sys; from usdmotion import cli, demos, pipeline\n"
         "def burst(*words, **names): raise RuntimeError('burst')\n"
         "pipeline.solve = burst\n"
         "sys.argv = ['usdmotion', 'solve', 'shot.usda']\n"
@@ -260,8 +263,7 @@ def test_plugins_are_listed_with_their_options(run: Run) -> None:
 def test_demos_are_listed_where_none_is_named(run: Run) -> None:
     assert "reaching" in run("demo").out.split()
     said = run("demo", "flying")
-    assert said.status == 2
-    assert "there is no demo 'flying'; there are: " in said.err
+    assert said.status == 2 and "there is no demo 'flying'; there are: " in said.err
 
 
 def test_the_schema_can_be_found_without_usd() -> None:
@@ -286,8 +288,7 @@ def test_the_schema_is_checked(run: Run) -> None:
 def test_the_installed_command_runs() -> None:
     command = Path(sys.executable).with_name("usdmotion")
     said = subprocess.run([command, "--help"], capture_output=True, text=True)
-    assert said.returncode == 0
-    assert "solve" in said.stdout
+    assert said.returncode == 0 and "solve" in said.stdout
 
 
 def test_the_module_runs_too() -> None:

@@ -1,7 +1,9 @@
 """What the words of a command line say: options, times, frequencies, names, examples."""
 
 import math
+import re
 from collections.abc import Sequence
+from pathlib import Path
 
 from usdmotion.asking import Example
 from usdmotion.errors import OptionError
@@ -40,14 +42,18 @@ def frames_of(text: str | None) -> tuple[float, float] | None:
     return frames
 
 
-def cutoff_of(clean: float | None) -> float | None:
-    """Return the cutoff of --clean [Hz], 0 for none.
+def cutoff_of(clean: float | None, flag: str = "--clean") -> float | None:
+    """Return the cutoff of a filter [Hz], 0 for none.
+
+    Args:
+        clean: What was written.
+        flag: The option that it was written for.
 
     Raises:
         OptionError: It is no frequency.
     """
     if clean is not None and not 0.0 <= clean < float("inf"):
-        raise OptionError(f"--clean {clean:g} is no cutoff; give hertz, such as 10, or 0 for none")
+        raise OptionError(f"{flag} {clean:g} is no cutoff; give hertz, such as 10, or 0 for none")
     return clean
 
 
@@ -74,6 +80,20 @@ def template_of(text: str) -> Example:
             "JOINT:START:END:KIND, as LeftFoot:10:24:space"
         )
     return Example(name, float(parts[-2]), float(parts[-1]), kind)
+
+
+def beside(shot: Path, word: str) -> Path:
+    """Return where a layer over a shot goes when nobody says: never onto the shot itself.
+
+    Args:
+        shot: The shot, or a layer of this sort.
+        word: What it is called after, as in `walk.contacts.usda` and `walk.contacts2.usda`.
+    """
+    found = re.fullmatch(rf"(.*?)(\.{word}(\d*))?", shot.stem)
+    assert found is not None
+    name, _, number = found.groups()
+    again = "" if number is None else str(int(number or 1) + 1)
+    return shot.with_name(f"{name}.{word}{again}.usda")
 
 
 def _is_number(text: str) -> bool:

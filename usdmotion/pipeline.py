@@ -7,18 +7,21 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from usdmotion.answering import Say
 from usdmotion.asking import Asked, Example
 from usdmotion.capture import Capture
 from usdmotion.errors import FileError, InputError
 from usdmotion.options import configured
+from usdmotion.planting import Wish, plant
 from usdmotion.plugins import host
 from usdmotion.recording import Recording
 from usdmotion.report import Report
 from usdmotion.report.contacts import DetectionReport
+from usdmotion.report.planting import PlantingReport
 from usdmotion.reporting import report, require_matplotlib
 from usdmotion.resampling import capture_evenly, evenly
 from usdmotion.searching import search
-from usdmotion.session import Say, Session
+from usdmotion.session import Session
 
 if TYPE_CHECKING:
     from usdmotion.usd import Inspection
@@ -201,6 +204,53 @@ def solve(
     if page is not None:
         report(output, page, shot=shot, say=say)
     return session.report()
+
+
+def clean(
+    shot: Path,
+    output: Path,
+    *,
+    joints: Sequence[str] = (),
+    templates: Sequence[Example] = (),
+    detector: str = "",
+    options: Mapping[str, object] | None = None,
+    smoothing: float | None = None,
+    frames: tuple[float, float] | None = None,
+    page: Path | None = None,
+    say: Say = lambda _: None,
+) -> PlantingReport:
+    """Find where feet stand, plant them there, and write one layer over the shot that has it all.
+
+    Args:
+        shot: The stage; it may be a layer that was written before, or one over it.
+        output: The layer to write; the shot is its sublayer.
+        joints: The joints that stand, as tokens, leaf names or H-Anim names; none takes ankles and
+            balls of all known feet.
+        templates: Examples, from which the noise of the motion is learnt.
+        detector: Name of the detector.
+        options: Options of it, on top of those on the stage.
+        smoothing: Cutoff of the filter between enforcing and enforcing again [Hz], 0 for none;
+            None takes what an edit says, or 4.
+        frames: First and last time code to solve; None takes what each edit says.
+        page: Where to write the report of it, as `reporting.report` does; None writes none.
+        say: Is told what is being done.
+
+    Raises:
+        InputError: The stage, or what is asked for, is at fault.
+        PluginError: A detector or solver does not keep its contract.
+    """
+    if page is not None:
+        require_matplotlib()
+    asked = Asked(
+        joints=tuple(joints),
+        templates=tuple(templates),
+        detector=detector,
+        options=dict(options or {}),
+    )
+    told = plant(shot, output, asked, Wish(smoothing, frames), say=say)
+    if page is not None:
+        report(output, page, say=say)
+    return told
 
 
 def _require(path: Path) -> None:

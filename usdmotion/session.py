@@ -2,33 +2,24 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from usdmotion import kernels
+from usdmotion.answering import Say, results_of, solved_scenes
 from usdmotion.arrays import Floats
-from usdmotion.cleaning import Cleaning, cleaned
+from usdmotion.cleaning import Cleaning
 from usdmotion.constraints import Constraint, altered, sound
 from usdmotion.errors import FileError, SceneError
-from usdmotion.kernels.compiling import cache_folder
 from usdmotion.motion import Motion
-from usdmotion.options import configured
-from usdmotion.options import options as options_of
-from usdmotion.passes import Checked
 from usdmotion.plugins import host
 from usdmotion.report import Report
 from usdmotion.scene import Edit, Scene
 from usdmotion.solved import SolvedScene
-from usdmotion.solving import Solver
 
 if TYPE_CHECKING:
-    from usdmotion.usd import Result, Shot
-
-Say = Callable[[str], None]
-"""Is told what is being done now, in a few words."""
+    from usdmotion.usd import Shot
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,15 +95,9 @@ class Session:
         say(f"reading {shot}")
         kinds = host().constraints
         read = usd.read(shot, edits=edits, frames=frames, cleaning=cleaning, kinds=kinds)
-        scenes: list[SolvedScene] = []
-        cleanings: dict[str, Cleaning] = {}
-        for scene in read.scenes:
-            chosen = _configured(scene.edits, solver, options or {})
-            slow = not _is_compiled(chosen)
-            say("compiling the solver, once: up to 10 s" if slow else f"solving {_names(scene)}")
-            clean, told = cleaned(scene, Checked(chosen).solve)
-            cleanings |= told
-            scenes.append(SolvedScene(clean, chosen, mend_recruiting=mend_recruiting))
+        scenes, cleanings = solved_scenes(
+            read, solver, options or {}, mend_recruiting=mend_recruiting, say=say
+        )
         return cls(read, scenes, cleanings)
 
     @property
@@ -218,7 +203,7 @@ class Session:
         pairs = zip(self._shot.scenes, self._scenes, strict=True)
         asked = (replace(solved.scene, characters=read.characters) for read, solved in pairs)
         shot = replace(self._shot, scenes=tuple(asked))
-        results = [each for solved in self._scenes for each in _results(solved)]
+        results = [each for solved in self._scenes for each in results_of(solved)]
         usd.write(shot, results, output, notes=self.notes)
         if compose is not None:
             usd.compose(shot, output, compose)
@@ -258,39 +243,3 @@ def _with(scene: Scene, path: str, constraint: Constraint | None) -> Scene:
 
 def _skeletons(scene: Scene) -> tuple[str, ...]:
     return tuple(edit.skeleton for edit in scene.edits)
-
-
-def _names(scene: Scene) -> str:
-    return ", ".join(edit.path for edit in scene.edits)
-
-
-def _results(solved: SolvedScene) -> Iterable[Result]:
-    """Yield what was made of each edit of a scene."""
-    from usdmotion.usd import Result
-
-    chosen = solved.solver
-    settings = {each.name: getattr(chosen, each.name) for each in options_of(type(chosen))}
-    for edit in solved.scene.edits:
-        yield Result(edit.path, solved.motion(edit.skeleton), chosen.name, settings)
-
-
-def _configured(edits: Sequence[Edit], solver: str | None, options: Mapping[str, object]) -> Solver:
-    """Return the one solver of a scene with its options."""
-    name = solver or edits[0].solver
-    # What an edit carries are options of the solver that it names, and of no other.
-    carried = {edit.path: dict(edit.options) if edit.solver == name else {} for edit in edits}
-    first = edits[0]
-    for edit in edits:
-        if (solver is None and edit.solver != name) or carried[edit.path] != carried[first.path]:
-            raise SceneError(
-                f"<{first.path}> and <{edit.path}> are solved together but ask for different "
-                "solvers or options; make them equal, or name one of them with --edit"
-            )
-    return configured(host().solver(name), carried[first.path] | dict(options))
-
-
-def _is_compiled(solver: Solver) -> bool:
-    """Tell whether compiled code of a solver's kernels is on disk."""
-    module = sys.modules[type(solver).__module__]
-    folders = [Path(str(each.__file__)).parent for each in (kernels, module)]
-    return any(cache_folder(*folders).rglob("*.nbi"))

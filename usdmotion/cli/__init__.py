@@ -11,7 +11,7 @@ from usdmotion.errors import InputError
 # Help lists the verbs in this order, which is the way of the data.
 # isort: off
 from usdmotion.cli import import_, inspect  # noqa: F401
-from usdmotion.cli import detect, solve, report  # noqa: F401
+from usdmotion.cli import detect, solve, clean, report  # noqa: F401
 from usdmotion.cli import plugins, demo, schemas  # noqa: F401
 
 __all__ = ["app", "main", "schema"]

@@ -1,14 +1,12 @@
 """Detect: what a motion already obeys is written as contacts over it."""
 
-import re
-from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from usdmotion.arguments import names_of, options_of, template_of
+from usdmotion.arguments import beside, names_of, options_of, template_of
 from usdmotion.cli.application import app
-from usdmotion.cli.flags import Json, Options, Output, Quiet, Source
+from usdmotion.cli.flags import Json, Options, Output, Quiet, Source, Templates
 from usdmotion.terminal import Terminal, write_text
 
 Joints = Annotated[
@@ -24,14 +22,6 @@ Prims = Annotated[
 Kinds = Annotated[
     list[str] | None,
     typer.Option(metavar="KINDS", help="What to look for: space, line, point, plane, slide."),
-]
-Templates = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--template",
-        metavar="JOINT:START:END[:KIND]",
-        help="An example, in time codes, from which noise is learnt; may be repeated.",
-    ),
 ]
 Minimum = Annotated[
     float | None, typer.Option(metavar="SECONDS", help="Drop contacts that last for less.")
@@ -65,7 +55,7 @@ def detect(
     from usdmotion import pipeline
 
     terminal = Terminal.open(quiet=quiet, json=json)
-    output = output or beside(shot)
+    output = output or beside(shot, "contacts")
     with terminal.busy() as say:
         found = pipeline.detect(
             shot,
@@ -85,10 +75,3 @@ def detect(
     if json is not None:
         write_text(found.to_json(), json)
     terminal.tell(*found.tables(), f"wrote {output}: {found.count} contacts")
-
-
-def beside(shot: Path) -> Path:
-    """Return where the contacts of a shot go when nobody says: never onto the shot itself."""
-    name, _, number = re.fullmatch(r"(.*?)(\.contacts(\d*))?", shot.stem).groups()  # type: ignore[union-attr]
-    again = "" if number is None else str(int(number or 1) + 1)
-    return shot.with_name(f"{name}.contacts{again}.usda")

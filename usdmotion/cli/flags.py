@@ -42,3 +42,11 @@ MendRecruiting = Annotated[
 Strict = Annotated[
     bool, typer.Option("--strict", help="End with status 3 where a constraint is not met.")
 ]
+Templates = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--template",
+        metavar="JOINT:START:END[:KIND]",
+        help="An example, in time codes, from which noise is learnt; may be repeated.",
+    ),
+]

@@ -1,4 +1,4 @@
-"""A walk whose feet skate, as after a retarget."""
+"""A walk whose feet skate, as after a retarget: for `clean`."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -9,7 +9,7 @@ from usdmotion.demos.gait import Walk, walk
 from usdmotion.demos.walker import write_walk
 from usdmotion.motion import Motion
 
-NEXT = "usdmotion detect {stage}"
+NEXT = "usdmotion clean {stage}"
 _FARTHER = 1.03
 """How much farther the body goes than its steps carry it."""
 _SWAY = (0.004, 0.9)

@@ -17,6 +17,7 @@ from usdmotion.usd.character_authoring import author_character
 from usdmotion.usd.detections import (
     Found,
     author_detections,
+    author_feet,
     detection_provenance,
     read_searches,
 )
@@ -26,13 +27,14 @@ from usdmotion.usd.inspected import Inspection
 from usdmotion.usd.inspection import inspect
 from usdmotion.usd.new_stages import new_stage
 from usdmotion.usd.overlays import Overlay
+from usdmotion.usd.planting import author_keeping, author_passes, edits_of
 from usdmotion.usd.prop_authoring import author_mesh, author_prop
-from usdmotion.usd.reading import read
+from usdmotion.usd.reading import read, read_stage
 from usdmotion.usd.recordings import write_recording
 from usdmotion.usd.region_authoring import author_region
 from usdmotion.usd.shot import Result, Shot
 from usdmotion.usd.variants import variant
-from usdmotion.usd.writing import compose, write
+from usdmotion.usd.writing import compose, put, write
 
 __all__ = [
     "Found",
@@ -45,16 +47,22 @@ __all__ = [
     "author_contact_guides",
     "author_detections",
     "author_edit",
+    "author_feet",
+    "author_keeping",
     "author_mesh",
+    "author_passes",
     "author_prop",
     "author_region",
     "compose",
     "detection_provenance",
+    "edits_of",
     "inspect",
     "new_stage",
+    "put",
     "read",
     "read_outcomes",
     "read_searches",
+    "read_stage",
     "variant",
     "write",
     "write_capture",

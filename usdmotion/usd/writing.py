@@ -40,22 +40,43 @@ def write(
         SceneError: A result does not fit its edit.
     """
     require_writable(output, shot.layers)
+    layer = new_layer(shot.facts)
+    layer.customLayerData = {"usdmotion": put(layer, shot, results, output.parent, notes)}
+    save(layer, output)
+
+
+def put(
+    layer: Sdf.Layer, shot: Shot, results: Sequence[Result], folder: Path, notes: Sequence[str]
+) -> dict[str, object]:
+    """Put results and their bindings into a layer, over what is there.
+
+    Args:
+        layer: Where.
+        shot: What was read.
+        results: One for each edit that was solved.
+        folder: Where the layer will lie.
+        notes: What whoever made them had to say.
+
+    Returns:
+        What the layer is to say of itself.
+
+    Raises:
+        SceneError: A result does not fit its edit.
+    """
     takes = {take.edit: take for take in shot.takes}
     for result in results:
         if result.edit not in takes:
             raise SceneError(
                 f"there is a result of <{result.edit}>, which was not read to be solved"
             )
-    layer = new_layer(shot.facts)
     hashes = {result.edit: input_hash(shot, takes[result.edit]) for result in results}
     with Sdf.ChangeBlock():
         for result in results:
             take = takes[result.edit]
-            extras = extras_for(take.extras, take.folder, str(output.parent))
+            extras = extras_for(take.extras, take.folder, str(folder))
             _write_result(layer, shot, take, result, extras, hashes[result.edit])
             _write_binding(layer, take)
-        layer.customLayerData = {"usdmotion": provenance(shot, results, hashes, notes)}
-    save(layer, output)
+    return provenance(shot, results, hashes, notes)
 
 
 def compose(shot: Shot, edit_layer: Path, output: Path) -> None:

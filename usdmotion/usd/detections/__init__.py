@@ -7,6 +7,7 @@ from usdmotion.usd.detections.authoring import (
     detection_provenance,
 )
 from usdmotion.usd.detections.entries import Entry
+from usdmotion.usd.detections.feet import author_feet
 from usdmotion.usd.detections.searches import Sought, read_searches
 
 __all__ = [
@@ -15,6 +16,7 @@ __all__ = [
     "Found",
     "Sought",
     "author_detections",
+    "author_feet",
     "detection_provenance",
     "read_searches",
 ]

@@ -1,0 +1,95 @@
+"""A shot that was read is answered: its scenes are solved, and have results to be written."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from usdmotion import kernels
+from usdmotion.cleaning import Cleaning, cleaned
+from usdmotion.errors import SceneError
+from usdmotion.kernels.compiling import cache_folder
+from usdmotion.options import configured
+from usdmotion.options import options as options_of
+from usdmotion.passes import Checked
+from usdmotion.plugins import host
+from usdmotion.scene import Edit, Scene
+from usdmotion.solved import SolvedScene
+from usdmotion.solving import Solver
+
+if TYPE_CHECKING:
+    from usdmotion.usd import Result, Shot
+
+Say = Callable[[str], None]
+"""Is told what is being done now, in a few words."""
+
+
+def solved_scenes(
+    shot: Shot,
+    solver: str | None = None,
+    options: Mapping[str, object] | None = None,
+    *,
+    mend_recruiting: bool = False,
+    say: Say = lambda _: None,
+) -> tuple[list[SolvedScene], dict[str, Cleaning]]:
+    """Return the scenes of a shot, solved, and what was done to the input of edits first.
+
+    Args:
+        shot: What was read.
+        solver: Name of the solver; None takes what each edit says.
+        options: Options of the solver, on top of those that an edit carries for it.
+        mend_recruiting: Let constraints recruit what the recruiting rule asks of them.
+        say: Is told what is being done.
+
+    Raises:
+        InputError: An edit or an option is at fault.
+        PluginError: The solver does not keep its contract.
+    """
+    scenes: list[SolvedScene] = []
+    cleanings: dict[str, Cleaning] = {}
+    for scene in shot.scenes:
+        chosen = _configured(scene.edits, solver, options or {})
+        slow = not _is_compiled(chosen)
+        say("compiling the solver, once: up to 10 s" if slow else f"solving {_names(scene)}")
+        clean, told = cleaned(scene, Checked(chosen).solve)
+        cleanings |= told
+        scenes.append(SolvedScene(clean, chosen, mend_recruiting=mend_recruiting))
+    return scenes, cleanings
+
+
+def results_of(solved: SolvedScene) -> Iterable[Result]:
+    """Yield what was made of each edit of a scene."""
+    from usdmotion.usd import Result
+
+    chosen = solved.solver
+    settings = {each.name: getattr(chosen, each.name) for each in options_of(type(chosen))}
+    for edit in solved.scene.edits:
+        yield Result(edit.path, solved.motion(edit.skeleton), chosen.name, settings)
+
+
+def _configured(edits: Sequence[Edit], solver: str | None, options: Mapping[str, object]) -> Solver:
+    """Return the one solver of a scene with its options."""
+    name = solver or edits[0].solver
+    # What an edit carries are options of the solver that it names, and of no other.
+    carried = {edit.path: dict(edit.options) if edit.solver == name else {} for edit in edits}
+    first = edits[0]
+    for edit in edits:
+        if (solver is None and edit.solver != name) or carried[edit.path] != carried[first.path]:
+            raise SceneError(
+                f"<{first.path}> and <{edit.path}> are solved together but ask for different "
+                "solvers or options; make them equal, or name one of them with --edit"
+            )
+    return configured(host().solver(name), carried[first.path] | dict(options))
+
+
+def _is_compiled(solver: Solver) -> bool:
+    """Tell whether compiled code of a solver's kernels is on disk."""
+    module = sys.modules[type(solver).__module__]
+    folders = [Path(str(each.__file__)).parent for each in (kernels, module)]
+    return any(cache_folder(*folders).rglob("*.nbi"))
+
+
+def _names(scene: Scene) -> str:
+    return ", ".join(edit.path for edit in scene.edits)

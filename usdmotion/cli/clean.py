@@ -1,0 +1,70 @@
+"""Clean: feet are found and planted, and the rest of the motion is kept."""
+
+from typing import Annotated
+
+import typer
+
+from usdmotion.arguments import beside, cutoff_of, frames_of, names_of, options_of, template_of
+from usdmotion.cli.application import app
+from usdmotion.cli.flags import (
+    Frames,
+    Json,
+    Options,
+    Output,
+    Page,
+    Quiet,
+    Source,
+    Strict,
+    Templates,
+)
+from usdmotion.terminal import Terminal, write_text
+
+Joints = Annotated[
+    list[str] | None,
+    typer.Option(metavar="NAMES", help="The joints that stand, with commas; else known feet."),
+]
+Smoothing = Annotated[
+    float | None,
+    typer.Option(metavar="HZ", help="Low-pass what was changed; 0 is off, 4 is usual."),
+]
+
+
+@app.command(epilog="Example: usdmotion clean shot.usda -o shot.clean.usda --report shot.html")
+def clean(
+    shot: Source,
+    output: Output = None,
+    joints: Joints = None,
+    template: Templates = None,
+    detector: Annotated[str, typer.Option(help="Name of the detector.")] = "",
+    option: Options = None,
+    smoothing: Smoothing = None,
+    frames: Frames = None,
+    report: Page = None,
+    json: Json = None,
+    strict: Strict = False,
+    quiet: Quiet = False,
+) -> None:
+    """Plant feet that slide: find where they stand, hold them there, keep the rest."""
+    from usdmotion import pipeline
+
+    terminal = Terminal.open(quiet=quiet, json=json)
+    output = output or beside(shot, "clean")
+    with terminal.busy() as say:
+        told = pipeline.clean(
+            shot,
+            output,
+            joints=names_of(joints),
+            templates=[template_of(text) for text in template or ()],
+            detector=detector,
+            options=options_of(option),
+            smoothing=cutoff_of(smoothing, "--smoothing"),
+            frames=frames_of(frames),
+            page=report,
+            say=say,
+        )
+    terminal.note(*told.notes)
+    if json is not None:
+        write_text(told.to_json(), json)
+    terminal.tell(*told.tables(), *(f"wrote {path}" for path in (output, report) if path))
+    if strict and not told.met:
+        raise typer.Exit(3)
