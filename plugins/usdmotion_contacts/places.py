@@ -55,15 +55,13 @@ def places(
 def weighed_points(search: Search) -> Floats:
     """Return the points by which two poses of an object are compared, its origin first.
 
-    An object without size is given arms, so that it matters how it is turned: their ends move by
-    dist_max where it turns by α_max.
+    Of an object without size nobody knows how much its turns matter: it is given arms as long as
+    d_max, which is about the size of a foot or a hand.
     """
     points = np.concatenate([np.zeros((1, 3)), search.points])
     if not np.allclose(points, 0.0, atol=1e-9):
         return points
-    sine = math.sin(0.5 * math.radians(min(search.parallel_angle, 180.0)))
-    arm = 0.5 * search.merge_distance / max(sine, 1e-9)
-    return np.concatenate([points[:1], arm * np.eye(3)])
+    return np.concatenate([points[:1], search.gap_distance * np.eye(3)])
 
 
 def _seeming(points: Floats, pattern: NoisePattern) -> Floats:

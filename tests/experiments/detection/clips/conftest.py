@@ -127,7 +127,9 @@ def hands(mocap: Path) -> list[Example]:
     for side in "lr":
         named = [f"{side}_{name}" for name in ("fingers", "wrist", "elbow")]
         chain = [places[:, joints.index(name)] for name in named]
+        length = float(np.median(np.linalg.norm(chain[1] - chain[0], axis=1)))
         search = Search(
+            points=np.array([(0.0, 0.0, 0.0), (length, 0.0, 0.0)]),
             name=named[0], times=times, translations=chain[0], rotations=_turns(*chain),
             up=np.array((0.0, 0.0, 1.0)),
         )  # fmt: skip
