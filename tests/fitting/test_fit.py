@@ -81,6 +81,17 @@ def test_a_hidden_marker_does_not_pull(fitted, wearer) -> None:
         assert np.linalg.norm(found[name] - whole[name], axis=1).max() < 0.02, name
 
 
+def test_frames_on_which_nothing_is_seen_are_gone_through_evenly_and_told(fitted, wearer) -> None:
+    markers = wearer.capture.markers
+    seen = np.array(markers.seen)
+    seen[40:44] = False
+    recording, notes = fit(replace(wearer.capture, markers=replace(markers, seen=seen)))
+    assert "on 4 of 101 frames no marker" in notes[1]
+    found, whole = joints_of(recording), joints_of(fitted)
+    for name in JOINTS:
+        assert np.linalg.norm(found[name] - whole[name], axis=1).max() < 0.05
+
+
 def only(capture: Capture, labels) -> Capture:
     markers = capture.markers
     kept = [markers.labels.index(label) for label in labels]

@@ -8,6 +8,7 @@ from usdmotion.arrays import Bools, Floats
 from usdmotion.capture import Capture
 from usdmotion.cast import Character
 from usdmotion.constraints import Goal, PositionConstraint
+from usdmotion.fitting import optitrack
 from usdmotion.fitting.landmarks import Landmarks
 from usdmotion.fitting.segments import segments_of_body
 from usdmotion.fitting.skeletons import Rig, make_rig, usual
@@ -39,13 +40,13 @@ def fit(capture: Capture) -> tuple[Recording | None, tuple[str, ...]]:
 
     There is none where the labels do not tell a body, at least from the pelvis down.
     """
-    marks, seen = _marks(capture)
-    lacking = _lacking(marks)
-    if lacking:
-        return None, lacking
     up = np.eye(3)["XYZ".index(capture.up)]
     # Of places that are not known or fall together, nothing follows, frame by frame.
     with np.errstate(invalid="ignore", divide="ignore"):
+        marks, seen = _marks(capture, up)
+        lacking = _lacking(marks)
+        if lacking:
+            return None, lacking
         segments = segments_of_body(marks, up)
     known = np.all([np.isfinite(each.axes).all(axis=(1, 2)) for each in segments], axis=0)
     if known.sum() < _FEWEST:
@@ -60,18 +61,21 @@ def fit(capture: Capture) -> tuple[Recording | None, tuple[str, ...]]:
     off, told = _told(rig, motion, marks)
     if off > _FAR:
         return None, (f"no skeleton is fitted, as the markers do not move like a body: {told}",)
-    return _recording(capture, rig, motion), (told,)
+    return _recording(capture, rig, motion), (told, *_unseen(rig, seen))
 
 
-def _marks(capture: Capture) -> tuple[Landmarks, dict[str, Bools]]:
+def _marks(capture: Capture, up: Floats) -> tuple[Landmarks, dict[str, Bools]]:
     """Return the markers by their places on the body, NaN where they were not seen."""
     markers = capture.markers
+    suit = optitrack.cores(markers.labels)
     known, seen = {}, {}
-    for place, label in places(markers.labels).items():
+    for place, label in (suit or places(markers.labels)).items():
         number = markers.labels.index(label)
         seen[place] = markers.seen[:, number]
         if seen[place].any():
             known[place] = np.where(seen[place][:, None], markers.positions[:, number], np.nan)
+    if suit and known.keys() == suit.keys():
+        return optitrack.landmarks(known, up), seen
     return Landmarks(known, len(capture.times)), seen
 
 
@@ -144,6 +148,17 @@ def _told(rig: Rig, motion: Motion, marks: Landmarks) -> tuple[float, str]:
         f"a skeleton of {len(rig.skeleton.joints)} joints is fitted to {len(errors)} markers: they "
         f"are {1000.0 * off:.1f} mm from it (root mean square), most of all {worst}, "
         f"{1000.0 * usual[worst]:.1f} mm"
+    )
+
+
+def _unseen(rig: Rig, seen: dict[str, Bools]) -> tuple[str, ...]:
+    """Return what there is to say about frames on which nothing shows where the body is."""
+    blind = ~np.any([seen[mark] for mark in rig.riding], axis=0)
+    if not blind.any():
+        return ()
+    return (
+        f"on {blind.sum()} of {len(blind)} frames no marker of the body is seen: there it goes "
+        "evenly from one side of the gap to the other, or stays",
     )
 
 

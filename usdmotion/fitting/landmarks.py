@@ -12,7 +12,7 @@ begins, and the base of the skull under a headband.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -35,8 +35,10 @@ class Landmarks:
     """Places on a body over time, NaN where nobody knows, shape (frame_count, 3) each."""
 
     markers: Mapping[str, Floats]
-    """Markers by their Plug-in-Gait names."""
+    """Markers by their Plug-in-Gait names, and by their own where these are others."""
     frame_count: int
+    worn: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """The markers on each segment by its name; empty: those of Plug-in-Gait."""
 
     def __getitem__(self, name: str) -> Floats:
         """Return where a marker is."""

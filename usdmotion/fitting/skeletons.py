@@ -54,7 +54,7 @@ def make_rig(segments: Sequence[Segment], marks: Landmarks, times: Floats, up: s
     riding = {
         mark: number
         for number, each in enumerate(segments)
-        for mark in each.markers
+        for mark in (marks.worn.get(each.name, ()) if marks.worn else each.markers)
         if marks.has(mark)
     }
     points = {

@@ -15,23 +15,27 @@ from usdmotion.humanoid import guess
 from usdmotion.kernels import forward, rotate, world_points
 
 FULL = {"PiG_Motion-FlatFoot-Full": 19, "PiG_Motion-FlatFoot-One": 19, "Gait": 17}
+SUIT = {"mocap36": 19}
 LOWER = {"FunctionalWalk": 7, "OMCS_exampleOverground": 7, "PiG_Motion3_FF": 7, "PlugInC3D": 7}
 MODELLED = {"FEP": ("UpLeg", 0.04), "FEO": ("Leg", 0.03), "TIO": ("Foot", 0.02)}
 """Points in which Vicon's model writes hips, knees and ankles, and how far regressions differ."""
 
 
-@pytest.fixture(scope="module", params=[*FULL, *LOWER])
+@pytest.fixture(scope="module", params=[*FULL, *SUIT, *LOWER])
 def fitted(mocap: Path, request):
-    path = mocap / f"c3d/{request.param}.c3d"
+    folder = "odd/c3d" if request.param in SUIT else "c3d"
+    path = mocap / folder / f"{request.param}.c3d"
     capture = C3dReader().read(path)
-    recording, (note,) = fit(capture)
+    recording, (note, *_) = fit(capture)
     return path, capture, recording, note
 
 
 def test_markers_are_met_to_a_centimetre(fitted) -> None:
     path, _, recording, note = fitted
-    assert len(recording.skeleton.joints) == (FULL | LOWER)[path.stem]
-    assert float(re.search(r"they are ([\d.]+) mm", note)[1]) < 10.0
+    assert len(recording.skeleton.joints) == (FULL | SUIT | LOWER)[path.stem]
+    # Straps on a suit give way more than what is glued on skin.
+    most = 15.0 if path.stem in SUIT else 10.0
+    assert float(re.search(r"they are ([\d.]+) mm", note)[1]) < most
 
 
 def test_joints_are_near_those_of_the_laboratory(fitted) -> None:
