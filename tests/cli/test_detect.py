@@ -72,6 +72,7 @@ def test_quiet_is_quiet(run: Callable[..., str], arm: Path) -> None:
         ("none.usda", "usdmotion: none.usda: there is no such file"),
         ("arm.usda", "nobody knows which joints of </Arm/Skeleton> are feet; name joints"),
         ("arm.usda --joints rist", "no joint 'rist' on </Arm/Skeleton>; did you mean 'wrist'?"),
+        ("arm.usda --joints /Arm", "'/Arm' is no joint; name prims with --prims"),
         ("arm.usda --joints base -o arm.usda", "no input is written to; name another"),
         ("arm.usda --joints base -o arm.txt", "name a file that ends in .usda"),
         ("arm.usda --joints base --kinds knot", "cannot look for 'knot'; it looks for space"),

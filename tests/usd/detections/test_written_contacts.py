@@ -5,6 +5,7 @@ import pytest
 from pxr import Usd, UsdGeom
 
 from usdmotion import pipeline, usd
+from usdmotion.asking import Example
 from usdmotion.constraints import ContactConstraint, built_in
 from usdmotion.kernels import conjugate, multiply, rotate, world_points
 from usdmotion.usd.detections.contact_prims import contact_prims
@@ -102,6 +103,13 @@ def test_a_layer_of_contacts_is_a_stage_that_can_be_solved(shot, detect, tmp_pat
     assert [each.path for each in edit.constraints] == [
         f"{steps.detection}/Contact0{number}" for number in (1, 2, 3)
     ]
+    assert report.met
+
+
+def test_a_template_is_solved_as_any_contact(shot, detect, tmp_path, steps):
+    detect(shot(), templates=[Example("foot", 12, 15)])
+    report = pipeline.solve(tmp_path / "out.usda", tmp_path / "edit.usda")
+    assert len(report.edits[0].constraints) == 3
     assert report.met
 
 

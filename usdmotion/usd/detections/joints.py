@@ -44,6 +44,8 @@ def unknown_joint(name: str, tokens: Sequence[str], paths: Sequence[str]) -> Sce
         tokens: The joints of the first of them.
         paths: Paths of the skeletons.
     """
+    if name.startswith("/"):
+        return SceneError(f"'{name}' is no joint; name prims with --prims")
     where = " or ".join(f"<{path}>" for path in paths)
     leaves = tuple(dict.fromkeys(leaf_of(token) for token in tokens))
     return SceneError(f"there is no joint '{name}' on {where}; {suggestion(name, leaves)}")
