@@ -16,6 +16,8 @@ from usdmotion_c3d.records import BLOCK, DEC, MIPS, Parameter, Source
 _INTEL = 84
 _LIMIT = 255 * BLOCK
 """Most that parameters can take up, as their length is one byte of blocks."""
+_LONGEST = 0xFFFF
+"""Most frames that the header can count."""
 _MOST = 255
 """Most elements along one axis of a parameter; what is more goes on in a second one."""
 
@@ -66,11 +68,9 @@ def _layout(source: Source) -> Layout:
     points, _, first, last = source.words(2, 4)
     real = _scale(source) < 0.0
     count = last - first + 1
-    long = source.groups.get("POINT", {}).get("FRAMES")
     # The header holds 16 bits; of a longer recording, only the parameters know the length.
-    if last == 0xFFFF and long is not None:
-        wide = struct.unpack(source.order + ("f" if long.kind == 4 else "H"), long.values)[0]
-        count = max(count, int(wide))
+    if last == 0xFFFF:
+        count = max(count, *(int(each) for each in _lengths(source)))
     size = (4 if real else 2) * (4 * points + _samples(source, points, count, real))
     if points == 0:
         raise FileError(
@@ -82,7 +82,20 @@ def _layout(source: Source) -> Layout:
         source.notes.append(f"the file says that it has {count} frames, but holds {there}")
     if there <= 0:
         raise FileError(f"{source.path}: it holds no frames")
+    if there > _LONGEST:
+        source.notes.append(f"of its {there} frames, the first {_LONGEST} are read")
+        there = _LONGEST
     return Layout(there, size, real, (size // (4 if real else 2)) - 4 * points)
+
+
+def _lengths(source: Source) -> list[float]:
+    """Return what parameters say about how many frames there are."""
+    point, trial = source.groups.get("POINT", {}), source.groups.get("TRIAL", {})
+    found = [source.numbers(point.get(name)) for name in ("FRAMES", "LONG_FRAMES")]
+    start, end = (source.numbers(trial.get(f"ACTUAL_{name}_FIELD")) for name in ("START", "END"))
+    if len(start) == 2 and len(end) == 2:
+        found.append([end[0] - start[0] + 65536.0 * (end[1] - start[1]) + 1.0])
+    return [0.0, *(each[0] for each in found if each)]
 
 
 def _samples(source: Source, points: int, frames: int, real: bool) -> int:
@@ -91,8 +104,8 @@ def _samples(source: Source, points: int, frames: int, real: bool) -> int:
     Where header and parameters do not agree, the one is right with which the file is fuller.
     """
     told, per_frame = source.words(3)[0], source.words(10)[0]
-    used = source.groups.get("ANALOG", {}).get("USED")
-    wanted = struct.unpack(f"{source.order}H", used.values)[0] * per_frame if used else told
+    used = source.numbers(source.groups.get("ANALOG", {}).get("USED"))
+    wanted = int(used[0]) * per_frame if used else told
     width = frames * (4 if real else 2)
     fits = [n for n in {told, wanted} if width * (4 * points + n) <= len(source.data)]
     return int(max(fits, default=told))
@@ -107,13 +120,13 @@ def _scale(source: Source) -> float:
 
 
 def _header(source: Source, layout: Layout, data_block: int) -> bytes:
-    points, _, first, _, gap = source.words(2, 5)
+    points, _, _, _, gap = source.words(2, 5)
     (per_frame,) = source.words(10)
     scale, rate = source.header[12:16], source.header[20:24]
     if source.processor == MIPS:
         scale, rate = scale[::-1], rate[::-1]
-    last = min(first + layout.frames - 1, 0xFFFF)
-    words = struct.pack("<5H", points, layout.samples, first, last, gap)
+    # It begins with frame 1, so that the 16 bits hold as many as they can.
+    words = struct.pack("<5H", points, layout.samples, 1, layout.frames, gap)
     tail = struct.pack("<2H", data_block, per_frame)
     # Events of the header are left out: the parameters have them, with sides and exact times.
     return (bytes((2, 0x50)) + words + scale + tail + rate).ljust(BLOCK, b"\0")

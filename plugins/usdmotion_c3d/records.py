@@ -53,6 +53,24 @@ class Source:
         """Return whole numbers of the header; the first word is number 1."""
         return struct.unpack_from(f"{self.order}{count}H", self.header, 2 * (first - 1))
 
+    @property
+    def first_frame(self) -> int:
+        """Number of the first frame in the recording that it was cut from, which begins with 1."""
+        told = self.numbers(self.groups.get("TRIAL", {}).get("ACTUAL_START_FIELD"))
+        # The header has but 16 bits for it.
+        if len(told) == 2 and min(told) >= 0:
+            return max(int(told[0] + 65536.0 * told[1]), 1)
+        return max(self.words(4)[0], 1)
+
+    def numbers(self, parameter: "Parameter | None") -> list[float]:
+        """Return the numbers of a parameter; none where there is no such parameter, or of text."""
+        letter = {1: "B", 2: "H", 4: "f"}.get(parameter.kind) if parameter else None
+        if parameter is None or letter is None or (letter == "f" and self.processor == DEC):
+            return []
+        count = len(parameter.values) // parameter.kind
+        found = struct.unpack_from(f"{self.order}{count}{letter}", parameter.values)
+        return [float(each) for each in found if math.isfinite(each)]
+
 
 def read_source(path: Path) -> Source:
     """Take a file apart.

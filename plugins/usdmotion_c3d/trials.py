@@ -78,7 +78,7 @@ def read_trial(path: Path, wanted: float = 0.0) -> Trial:
         analog=np.ascontiguousarray(analog.T),
         rate=rate,
         analog_rate=rate * analog.shape[1] / frames,
-        first=source.words(4)[0],
+        first=source.first_frame,
         parameters=parameters,
         notes=tuple(source.notes),
     )

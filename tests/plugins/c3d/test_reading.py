@@ -143,6 +143,18 @@ def test_events_count_from_the_first_frame_of_the_file(write_c3d, standing) -> N
     np.testing.assert_allclose([each.time for each in found], [0.01, 0.05, 58.0], atol=1e-5)
 
 
+def test_a_late_part_of_a_long_recording_is_read_whole(write_c3d, standing) -> None:
+    points, labels = standing
+    # Frame 70 000 of a recording: too many for the header, which has the lower 16 bits of it.
+    fields = {"ACTUAL_START_FIELD": [4464.0, 1.0], "ACTUAL_END_FIELD": [4483.0, 1.0]}
+    events = {"USED": [1], "LABELS": ["Off"], "TIMES": np.array([[11.0], [40.05]])}
+    path = write_c3d(points, labels, first=65530, parameters={"TRIAL": fields, "EVENT": events})
+    capture = C3dReader().read(path)
+    np.testing.assert_allclose(capture.markers.positions, 0.001 * points, atol=1e-6)
+    (event,) = capture.events
+    assert event.time == pytest.approx(0.06, abs=1e-3)
+
+
 @pytest.mark.parametrize("cut", [1, 100, 600, 1500])
 def test_a_file_that_was_cut_off_is_read_as_far_or_refused(write_c3d, standing, cut) -> None:
     path = write_c3d(*standing)
