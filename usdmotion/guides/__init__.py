@@ -8,7 +8,7 @@ from usdmotion.guides.contacts import (
     size_of,
     trajectory,
 )
-from usdmotion.guides.palette import COLORS, Color, another
+from usdmotion.guides.palette import COLORS, Color, another, same
 from usdmotion.guides.segments import GIRTH, SegmentGuide, segment_guide
 
 __all__ = [
@@ -21,6 +21,7 @@ __all__ = [
     "another",
     "apart",
     "contact_guide",
+    "same",
     "segment_guide",
     "size_of",
     "trajectory",

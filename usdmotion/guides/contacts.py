@@ -101,14 +101,14 @@ def contact_guide(
 def apart(guides: Sequence[ContactGuide], up: Floats) -> tuple[ContactGuide, ...]:
     """Return guides with their numbers lifted so that none is drawn over one before it."""
     lifted: list[ContactGuide] = []
-    feet: list[Floats] = []
-    for guide in guides:
+    feet = np.empty((len(guides), 3))
+    for index, guide in enumerate(guides):
         points = np.concatenate(guide.number)
         height = np.ptp(points @ up)
         foot = points.mean(axis=0)
-        while any(np.linalg.norm(foot - other) < _CLEAR * height for other in feet):
+        while (np.linalg.norm(feet[:index] - foot, axis=1) < _CLEAR * height).any():
             foot = foot + _APART * height * up
-        feet.append(foot)
+        feet[index] = foot
         shift = foot - points.mean(axis=0)
         lifted.append(replace(guide, number=tuple(stroke + shift for stroke in guide.number)))
     return tuple(lifted)

@@ -37,5 +37,10 @@ COLORS: tuple[Color, ...] = tuple(_linear(name) for name in _HEX)
 
 def another(used: Sequence[Color]) -> Color:
     """Return the colour that is used least, of those the first."""
-    counts = [sum(bool(np.allclose(one, each, atol=_SAME)) for one in used) for each in COLORS]
+    counts = [sum(same(one, each) for one in used) for each in COLORS]
     return COLORS[counts.index(min(counts))]
+
+
+def same(one: Color, other: Color) -> bool:
+    """Tell whether two colours are one, written as precisely as USD does."""
+    return max(abs(a - b) for a, b in zip(one, other, strict=True)) < _SAME

@@ -3,6 +3,7 @@
 import numpy as np
 
 from usdmotion.arrays import Floats
+from usdmotion.kernels import telling
 
 
 def simplified(points: Floats, tolerance: float) -> Floats:
@@ -17,26 +18,4 @@ def simplified(points: Floats, tolerance: float) -> Floats:
     """
     if not (np.linalg.norm(points - points[0], axis=1) > tolerance).any():
         return points[:1]
-    kept = np.zeros(len(points), dtype=bool)
-    kept[[0, -1]] = True
-    pieces = [(0, len(points) - 1)]
-    while pieces:
-        first, last = pieces.pop()
-        if last - first < 2:
-            continue
-        distances = _from_segment(points[first + 1 : last], points[first], points[last])
-        farthest = int(distances.argmax())
-        if distances[farthest] > tolerance:
-            middle = first + 1 + farthest
-            kept[middle] = True
-            pieces += [(first, middle), (middle, last)]
-    return points[kept]
-
-
-def _from_segment(points: Floats, start: Floats, end: Floats) -> Floats:
-    """(N, 3), (3,), (3,) to (N,): how far points are from a segment."""
-    along = end - start
-    square = along @ along
-    share = np.clip((points - start) @ along / square, 0.0, 1.0) if square > 0.0 else 0.0
-    nearest = start + np.multiply.outer(share, along) if square > 0.0 else start
-    return np.asarray(np.linalg.norm(points - nearest, axis=1))
+    return points[telling(points, tolerance)]

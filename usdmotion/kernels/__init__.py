@@ -9,6 +9,7 @@ from usdmotion.kernels.jacobians import number_columns, task_rows
 from usdmotion.kernels.kinematics import forward, place, relative, world_points
 from usdmotion.kernels.limits import beyond_limits, limit_boxes, within_limits
 from usdmotion.kernels.parts import Reference, apart, reference
+from usdmotion.kernels.polylines import telling
 from usdmotion.kernels.residuals import is_slack, residuals, task_error
 from usdmotion.kernels.rotations import (
     chordal_mean,
@@ -52,6 +53,7 @@ __all__ = [
     "summing",
     "task_error",
     "task_rows",
+    "telling",
     "to_vector",
     "within_limits",
     "world_points",

@@ -96,10 +96,11 @@ def over(layer: Sdf.Layer, path: str) -> Sdf.PrimSpec:
     return Sdf.CreatePrimInLayer(layer, path)
 
 
-def relate(prim: Sdf.PrimSpec, name: str, target: str) -> None:
-    """Make a relationship of a prim name one target, and nothing else."""
+def relate(prim: Sdf.PrimSpec, name: str, *targets: str) -> None:
+    """Make a relationship of a prim name some targets, and nothing else."""
     relationship = Sdf.RelationshipSpec(prim, name, custom=False)
-    relationship.targetPathList.explicitItems = [Sdf.Path(target)]
+    relationship.targetPathList.ClearEditsAndMakeExplicit()
+    relationship.targetPathList.explicitItems = [Sdf.Path(target) for target in targets]
 
 
 def apply_schema(prim: Sdf.PrimSpec, name: str) -> None:

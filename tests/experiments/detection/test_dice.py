@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
+from pxr import Usd
 
-from usdmotion import NoisePattern, Search
+from usdmotion import NoisePattern, Search, demos, pipeline
 from usdmotion.curves import Spline
 from usdmotion.demos import dice
 from usdmotion.demos.rolling import EDGE, RATE
@@ -72,3 +73,33 @@ def test_one_kind_alone_is_found_without_the_others(rolled, kind):
         assert any(
             each.start - FRAME <= truth.start and truth.end <= each.end + FRAME for each in contacts
         )
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory):
+    """Return what the command finds that the demo tells to run, and the stage that it writes."""
+    folder = tmp_path_factory.mktemp("dice")
+    shot, output = demos.build("dice", folder), folder / "dice.contacts.usda"
+    words = demos.following("dice", shot).split()
+    prims, kinds = (words[words.index(flag) + 1].split(",") for flag in ("--prims", "--kinds"))
+    return pipeline.detect(shot, output, prims=prims, kinds=kinds), Usd.Stage.Open(str(output))
+
+
+@pytest.mark.parametrize("name", ["first", "second"])
+def test_the_command_finds_the_same_with_no_threshold_given(written, name):
+    report, stage = written
+    (die,) = (each for each in report.objects if each.path.endswith(name.title()))
+    truths = getattr(dice, name)().contacts
+    assert [each.kind for each in die.contacts] == [each.kind for each in truths]
+    for contact, truth in zip(die.contacts, truths, strict=True):
+        ends = dice.FIRST + RATE * np.array((truth.start, truth.end))
+        assert np.abs((contact.start, contact.end) - ends).max() <= RATE * FRAME
+        prim = stage.GetPrimAtPath(contact.path)
+        place, axis = (
+            prim.GetAttribute(f"usdmotion:{each}").Get() for each in ("location", "axis")
+        )
+        apart = np.array(place) * 0.01 - truth.location
+        apart = np.cross(apart, truth.axis) if truth.kind == "line" else apart
+        assert np.linalg.norm(apart) <= 0.01 * EDGE
+        if truth.kind == "line":
+            assert angle(np.array(axis), truth.axis) <= 1.0

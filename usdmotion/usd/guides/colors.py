@@ -2,10 +2,9 @@
 
 from collections.abc import Sequence
 
-import numpy as np
 from pxr import Usd
 
-from usdmotion.guides import COLORS, Color, another
+from usdmotion.guides import COLORS, Color, another, same
 from usdmotion.usd.relations import is_a
 
 TRAJECTORY = "Guides/Trajectory"
@@ -37,4 +36,4 @@ def _color(detection: Usd.Prim) -> Color | None:
     if not colors:
         return None
     red, green, blue = colors[0]
-    return next((each for each in COLORS if np.allclose(each, colors[0])), (red, green, blue))
+    return next((each for each in COLORS if same(each, colors[0])), (red, green, blue))

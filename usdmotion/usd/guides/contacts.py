@@ -32,7 +32,9 @@ from usdmotion.usd.transforms import matrices_of, world_matrices
 
 GUIDES = "Guides"
 """Name of what is made under a contact, and under a detection."""
-_RIGHT, _UP = np.array((1.0, 0.0, 0.0)), {"Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
+_UP = {"Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
+_RIGHT = {"Y": np.sqrt((0.5, 0.0, 0.5)) * (1.0, 0.0, -1.0), "Z": np.sqrt((0.5, 0.5, 0.0))}
+"""Numbers are read from the front, and from the side that is on the right of it."""
 _STROKE, _THIN, _MARK = 0.04, 0.012, 0.1
 """Thickness of curves, of the whole trajectory, and of points, over the size of the object."""
 _WHOLE = 0.5
@@ -100,7 +102,7 @@ def _sheet(stage: Usd.Stage, sought: Sought, color: Color, skins: dict[str, Skin
             read_held(prim, sought.trajectory, sought.facts),
             sought.trajectory.points,
             number,
-            _RIGHT,
+            _RIGHT[sought.facts.up_axis],
             up,
         )
         for prim, number in zip(contacts, _numbers(contacts), strict=True)

@@ -10,7 +10,7 @@ from usdmotion.guides import Color
 from usdmotion.usd.detections.searches import Sought
 from usdmotion.usd.guides.prims import author_color, guide, make, place
 from usdmotion.usd.guides.skins import Part, Skins
-from usdmotion.usd.layers import over, set_value, set_varying
+from usdmotion.usd.layers import over, relate, set_value, set_varying
 from usdmotion.usd.transforms import world_matrices
 
 SHAPE = "Guides/Shape"
@@ -30,7 +30,9 @@ class Piece:
     matrix: Floats
     """From it to the frame of the prop in stage units, without the prop's scale, (4, 4)."""
     names: tuple[str, ...]
-    """Its attributes that would hide the colour of a ghost."""
+    """Its attributes that would hide the colour of a ghost …"""
+    materials: tuple[str, ...]
+    """… and its relationships."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,7 +77,12 @@ def shape_of(sought: Sought, skins: Skins | None) -> Shape | None:
     inverse = np.linalg.inv(world_matrices(prop, code)[0])
     return Shape(
         pieces=tuple(
-            Piece(mesh.GetPath(), world_matrices(mesh, code)[0] @ inverse @ scale, _colors(mesh))
+            Piece(
+                mesh.GetPath(),
+                world_matrices(mesh, code)[0] @ inverse @ scale,
+                _colors(mesh),
+                _materials(mesh),
+            )
             for mesh in found
         )
     )
@@ -143,6 +150,11 @@ def _colors(mesh: Usd.Prim) -> tuple[str, ...]:
     return tuple(name for name in names if mesh.HasAttribute(name))
 
 
+def _materials(mesh: Usd.Prim) -> tuple[str, ...]:
+    relationships = (each.GetName() for each in mesh.GetAuthoredRelationships())
+    return tuple(name for name in relationships if name.startswith("material:binding"))
+
+
 def _author_mesh(prim: Sdf.PrimSpec, part: Part) -> None:
     points = Vt.Vec3fArray.FromNumpy(part.points.astype(np.float32))
     set_varying(prim, "points", _TYPES.Point3fArray, points)
@@ -165,3 +177,5 @@ def _author_piece(prim: Sdf.PrimSpec, piece: Piece, color: Color) -> None:
     kinds = {"primvars:displayOpacity": _TYPES.FloatArray}
     for name in piece.names:
         set_varying(prim, name, kinds.get(name, _TYPES.IntArray), Sdf.ValueBlock())
+    for name in piece.materials:
+        relate(prim, name)
