@@ -98,6 +98,19 @@ def test_segments_are_known_by_their_labels_though_skin_moves(path) -> None:
     assert 0.002 < cluster.residual < 0.02
 
 
+def test_two_subjects_have_clusters_of_their_own(path) -> None:
+    turns, shifts = path
+    other = carried(BOX, (turns.inv(), shifts + np.array((1.5, 0.0, 0.0))))
+    labels = [
+        f"{name}:{mark}" for name in ("Matt", "Ann") for mark in ("LASI", "RASI", "LPSI", "RPSI")
+    ]
+    clusters, _ = find_clusters(
+        capture(np.concatenate([carried(BOX, path), other], axis=1), labels)
+    )
+    assert [each.name for each in clusters] == ["Pelvis", "Ann_Pelvis"]
+    assert all(label.startswith("Ann:") for label in clusters[1].labels)
+
+
 def test_labels_that_lie_are_not_believed(path) -> None:
     clusters, _ = find_clusters(capture(loose(4), ["LASI", "RASI", "LPSI", "RPSI"]))
     assert not clusters

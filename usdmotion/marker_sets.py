@@ -35,6 +35,14 @@ _MOST = 6
 """More numbers than these count all the markers, not those of a segment."""
 
 
+def subjects(labels: Sequence[str]) -> dict[str, list[str]]:
+    """Return labels by the subject that they begin with: `Matt:LASI` is Matt's, `LASI` nobody's."""
+    found: dict[str, list[str]] = {}
+    for label in labels:
+        found.setdefault(label.rpartition(":")[0].strip(), []).append(label)
+    return found
+
+
 def plain(label: str) -> str:
     """Return a label without the subject it begins with: `Matt:LASI` is `LASI`."""
     return label.rpartition(":")[2].strip()
@@ -67,8 +75,18 @@ def segments_of(labels: Sequence[str]) -> dict[str, tuple[str, ...]]:
     """Return the labels on each segment of a body that has three or more, by its name.
 
     A marker on the axis of a joint rides on both segments. Of labels that nobody knows, a few that
-    are numbered from 1 on (`RFT1`, `RFT2`, `RFT3`) are taken to be on one segment.
+    are numbered from 1 on (`RFT1`, `RFT2`, `RFT3`) are taken to be on one segment. Segments of a
+    second subject have its name before theirs.
     """
+    found: dict[str, tuple[str, ...]] = {}
+    for subject, own in subjects(labels).items():
+        whose = re.sub(r"\W", "_", subject)
+        for name, riding in _segments_of_one(own).items():
+            found[f"{whose}_{name}" if name in found else name] = riding
+    return {name: riding for name, riding in found.items() if name.isidentifier()}
+
+
+def _segments_of_one(labels: Sequence[str]) -> dict[str, tuple[str, ...]]:
     sides = (("Left", "L"), ("Right", "R"))
     segments = dict(_TRUNK)
     for limb, marks in _LIMBS.items():

@@ -92,6 +92,17 @@ def test_frames_on_which_nothing_is_seen_are_gone_through_evenly_and_told(fitted
         assert np.linalg.norm(found[name] - whole[name], axis=1).max() < 0.05
 
 
+def test_of_two_subjects_no_body_is_made_of_both(fitted, wearer) -> None:
+    markers = wearer.capture.markers
+    labels = ["Ann:LASI", "Ann:LKNE", "Ann:RKNE", *(f"Matt:{label}" for label in markers.labels)]
+    positions = np.concatenate([markers.positions[:, :3] + 3.0, markers.positions], axis=1)
+    seen = np.ones(positions.shape[:2], dtype=bool)
+    both = replace(wearer.capture, markers=Markers(tuple(labels), positions, seen))
+    recording, notes = fit(both)
+    assert "the skeleton is that of Matt" in notes[-1]
+    np.testing.assert_allclose(recording.motion.rotations, fitted.motion.rotations, atol=1e-9)
+
+
 def only(capture: Capture, labels) -> Capture:
     markers = capture.markers
     kept = [markers.labels.index(label) for label in labels]

@@ -13,7 +13,7 @@ from usdmotion.fitting.landmarks import Landmarks
 from usdmotion.fitting.segments import segments_of_body
 from usdmotion.fitting.skeletons import Rig, make_rig, usual
 from usdmotion.kernels import forward, world_points
-from usdmotion.marker_sets import places
+from usdmotion.marker_sets import places, subjects
 from usdmotion.motion import Body, Motion, Placement
 from usdmotion.options import configured
 from usdmotion.passes import Passes
@@ -38,7 +38,8 @@ _FEWEST = 10
 def fit(capture: Capture) -> tuple[Recording | None, tuple[str, ...]]:
     """Return the skeleton that wears the markers of a capture, and what there is to say about it.
 
-    There is none where the labels do not tell a body, at least from the pelvis down.
+    There is none where the labels do not tell a body, at least from the pelvis down. Of several
+    subjects it is the one who wears most markers.
     """
     up = np.eye(3)["XYZ".index(capture.up)]
     # Of places that are not known or fall together, nothing follows, frame by frame.
@@ -61,15 +62,19 @@ def fit(capture: Capture) -> tuple[Recording | None, tuple[str, ...]]:
     off, told = _told(rig, motion, marks)
     if off > _FAR:
         return None, (f"no skeleton is fitted, as the markers do not move like a body: {told}",)
-    return _recording(capture, rig, motion), (told, *_unseen(rig, seen))
+    return _recording(capture, rig, motion), (told, *_unseen(rig, seen), *_others(capture))
 
 
 def _marks(capture: Capture, up: Floats) -> tuple[Landmarks, dict[str, Bools]]:
-    """Return the markers by their places on the body, NaN where they were not seen."""
+    """Return the markers of the one who wears most, by their places on the body.
+
+    They are NaN where they were not seen; the second mapping says where they were.
+    """
     markers = capture.markers
-    suit = optitrack.cores(markers.labels)
+    labels = max(subjects(markers.labels).values(), key=len)
+    suit = optitrack.cores(labels)
     known, seen = {}, {}
-    for place, label in (suit or places(markers.labels)).items():
+    for place, label in (suit or places(labels)).items():
         number = markers.labels.index(label)
         seen[place] = markers.seen[:, number]
         if seen[place].any():
@@ -149,6 +154,16 @@ def _told(rig: Rig, motion: Motion, marks: Landmarks) -> tuple[float, str]:
         f"are {1000.0 * off:.1f} mm from it (root mean square), most of all {worst}, "
         f"{1000.0 * usual[worst]:.1f} mm"
     )
+
+
+def _others(capture: Capture) -> tuple[str, ...]:
+    """Return what there is to say about bodies that nothing is fitted to."""
+    whose = subjects(capture.markers.labels)
+    found = {name: len(places(labels)) for name, labels in whose.items() if name}
+    if len(found) < 2:
+        return ()
+    first = max(whose, key=lambda name: len(whose[name]))
+    return (f"of the subjects {', '.join(found)}, the skeleton is that of {first}",)
 
 
 def _unseen(rig: Rig, seen: dict[str, Bools]) -> tuple[str, ...]:
