@@ -102,6 +102,14 @@ class TestJoints:
         assert search.ground == pytest.approx(0.0)
         assert search.kinds == ("space",)
 
+    def test_far_from_the_origin_nothing_is_lost(self, shot, detect, still, steps):
+        root = """double3 xformOp:translate = (10000, 0, -10000)
+        uniform token[] xformOpOrder = ["xformOp:translate"]"""
+        detect(shot(root=root), joints=["foot"])
+        detect(shot("near.usda"), "near.out.usda", joints=["foot"])
+        far, near = (search.translations for search in still.seen)
+        np.testing.assert_allclose(far - [10000, 0, -10000], near, rtol=0.0, atol=1e-11)
+
     def test_the_points_of_a_joint_are_its_own_and_where_its_children_are(
         self, shot, detect, still
     ):
@@ -290,6 +298,15 @@ class TestSettings:
         assert not found.faults
         assert [(each.edit, each.contacts) for each in found.detections] == [("", 3)]
         assert not found.constraints
+
+    def test_what_holds_the_joint_already_is_told_of(self, shot, detect):
+        held = """def MotionEdit "Mine" { def MotionPositionConstraint "Heel" {
+            uniform token usdmotion:joint = "hips/foot"
+        }
+        }"""
+        report = detect(shot(skeleton=held), joints=["foot", "hand"])
+        (note,) = report.notes
+        assert note.startswith("</Man/Bones/Mine/Heel> holds the joint 'foot' as well; where it")
 
     def test_an_edit_that_is_named_is_where_contacts_go(self, shot, detect):
         two = 'def MotionEdit "One" {}\ndef MotionEdit "Two" {}'

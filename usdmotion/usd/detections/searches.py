@@ -1,6 +1,6 @@
 """The searches that a stage and somebody's words ask for: plain values for a detector."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +11,7 @@ from usdmotion.arrays import Floats
 from usdmotion.asking import Asked, Example
 from usdmotion.detecting import KINDS, Search, Template
 from usdmotion.errors import OptionError, SceneError
+from usdmotion.usd.constraints import constraint_prims
 from usdmotion.usd.detections.contact_prims import contact_prims, known_contact
 from usdmotion.usd.detections.joints import leaf_of
 from usdmotion.usd.detections.keeping import Interval, Known
@@ -21,7 +22,7 @@ from usdmotion.usd.detections.survey import Survey
 from usdmotion.usd.detections.trajectories import Trajectory, read_trajectory
 from usdmotion.usd.edits import options_of
 from usdmotion.usd.faults.detections import find_idle_detections
-from usdmotion.usd.relations import value
+from usdmotion.usd.relations import is_a, value
 from usdmotion.usd.shot import Facts
 
 DEFAULT_DETECTOR = "contacts"
@@ -102,7 +103,7 @@ def _sought(
         templates=_templates(taken, trajectory, facts),
         **_settings(watched.detection, asked, trajectory, facts),
     )
-    notes = _notes(watched.detection)
+    notes = _notes(watched)
     return Sought(search, detector, options, watched, place, trajectory, taken, asked, facts, notes)
 
 
@@ -215,10 +216,23 @@ def _settings(
     return found
 
 
-def _notes(prim: Usd.Prim | None) -> tuple[str, ...]:
+def _notes(watched: Watched) -> tuple[str, ...]:
     """Return what is probably not meant of a detection."""
-    found = find_idle_detections(prim) if prim is not None else ()
-    return tuple(each.sentence for each in found if each.name in ("TwoObjects", "HalfAPattern"))
+    found = find_idle_detections(watched.detection) if watched.detection is not None else ()
+    idle = (each.sentence for each in found if each.name in ("TwoObjects", "HalfAPattern"))
+    return (*idle, *_rivals(watched))
+
+
+def _rivals(watched: Watched) -> Iterator[str]:
+    """Yield a sentence about each constraint that holds a joint whose contacts are looked for."""
+    edit = watched.performer.edit if watched.performer is not None else None
+    for prim in constraint_prims(edit) if edit is not None else ():
+        holds = str(value(prim, "usdmotion:joint", "")) == watched.joint
+        if holds and not is_a(prim.GetParent(), "UsdMotionDetection"):
+            yield (
+                f"<{prim.GetPath()}> holds the joint '{leaf_of(watched.joint)}' as well; where it "
+                "asks for another place than its contacts do, deactivate one or the other"
+            )
 
 
 def _seconds(codes: Floats, trajectory: Trajectory, facts: Facts) -> Floats:
