@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
 from scipy.spatial.transform import Rotation
 
@@ -127,6 +128,47 @@ class Solved:
         changed = [each for each in turned if each > 0.0]
         mean = np.mean(changed or 0.0)
         return f"<{edit.path}> {asked}: {len(changed)} joints turned by {mean:.2f} degrees"
+
+
+@dataclass(frozen=True, eq=False)
+class Held:
+    """A contact as a stage has it, and when."""
+
+    joint: str
+    point: Floats
+    """In the joint's frame [m]."""
+    keys: tuple[float, ...]
+    """Its four key times."""
+
+    def during(self, take: Take, before: float = 0.0) -> NDArray[np.bool_]:
+        """Return on which samples it holds, or that long before or after [time codes]."""
+        first, last = self.keys[1] - before, self.keys[2] + before
+        return (take.times >= first - 1e-6) & (take.times <= last + 1e-6)
+
+    def slide(self, take: Take) -> float:
+        """Return how far what is held is from its mean place at most, while it holds [m]."""
+        places = take.point(self.joint, self.point)[self.during(take)]
+        return float(np.linalg.norm(places - places.mean(axis=0), axis=1).max(initial=0.0))
+
+
+@pytest.fixture(scope="session")
+def contacts_on() -> Callable[[Path], list[Held]]:
+    """Return what reads the contacts that are on a stage and switched on."""
+
+    def run(path: Path) -> list[Held]:
+        stage = Usd.Stage.Open(str(path))
+        unit = UsdGeom.GetStageMetersPerUnit(stage)
+        return [
+            Held(
+                prim.GetAttribute("usdmotion:joint").Get(),
+                unit * np.array(prim.GetAttribute("usdmotion:point").Get()),
+                tuple(float(code) for code in prim.GetAttribute("usdmotion:times").Get()),
+            )
+            for prim in stage.Traverse()
+            if prim.GetTypeName() == "MotionContactConstraint"
+        ]
+
+    return run
 
 
 Solve = Callable[..., Solved]
