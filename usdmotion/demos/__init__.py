@@ -25,6 +25,7 @@ NAMES = (
     "nothing_asked",
     "activation",
     "dice",
+    "taps",
     "skating",
 )
 """Every demo, in the order in which they explain themselves."""

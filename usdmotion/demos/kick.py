@@ -66,11 +66,37 @@ _ANGLES = (
 
 def kick() -> Walk:
     """Return a front kick with the right foot; the left one stands."""
-    skeleton, body, parts = humanoid(HEIGHT)
     times = np.arange(round(LENGTH * RATE) + 1) / RATE
+    angles = _through(_ANGLES, times)
+    return _performed(times, _through(_PELVIS, times), _through(_KICKING, times), angles)
+
+
+def guard(ankle: Floats, pitch: Floats) -> Walk:
+    """Return the guard out of which it kicks, while the right foot does something else.
+
+    Args:
+        ankle: Where the ankle goes from the place where it stands [m], shape (frame_count, 3).
+        pitch: How far the toes are turned down [degrees], shape (frame_count,).
+    """
+    times = np.arange(len(ankle)) / RATE
+    still = np.zeros_like(times)
+    angles = _through(_ANGLES, still)
+    angles[:, 4] = pitch
+    return _performed(times, _through(_PELVIS, still), _through(_KICKING, still) + ankle, angles)
+
+
+def turned_foot(pitch: Floats) -> Floats:
+    """(F,) to (F, 4): the right foot with its toes turned down by some degrees."""
+    heading = about(1, np.full_like(pitch, _TOES_OUT["Right"]))
+    return multiply(heading, about(0, pitch))
+
+
+def _performed(times: Floats, pelvis: Floats, ankle: Floats, angles: Floats) -> Walk:
+    """(F,), (F, 3), (F, 3), (F, 6) to somebody on the left foot."""
+    skeleton, body, parts = humanoid(HEIGHT)
     translations = np.tile(skeleton.rest_translations, (len(times), 1, 1))
-    translations[:, 0] = _through(_PELVIS, times)
-    rotations = local_rotations(_world_rotations(times))
+    translations[:, 0] = pelvis
+    rotations = local_rotations(_world_rotations(pelvis, ankle, angles.T))
     soles = sole(HEIGHT)
     stances = tuple(
         Stance("Left", effector, token, 0.0, float(times[-1]))
@@ -88,9 +114,8 @@ def _through(table: tuple[tuple[float, ...], ...], times: Floats) -> Floats:
     return np.asarray(PchipInterpolator(rows[:, 0], rows[:, 1:])(times))
 
 
-def _world_rotations(times: Floats) -> dict[str, Floats]:
+def _world_rotations(pelvis: Floats, ankle: Floats, angles: Floats) -> dict[str, Floats]:
     """Return the world orientation of every joint by its name, each of shape (F, 4)."""
-    angles = _through(_ANGLES, times).T
     hips = multiply(about(1, angles[1]), about(0, angles[0]))
     chest = multiply(about(1, angles[3]), about(0, angles[2]))
     low, high = to_vector(hips), to_vector(chest)
@@ -102,10 +127,9 @@ def _world_rotations(times: Floats) -> dict[str, Floats]:
         "Neck": from_vector(0.5 * high),
         "Head": from_vector(0.0 * high),
     }
-    pelvis, ankle = _through(_PELVIS, times), _through(_KICKING, times)
     standing = np.broadcast_to(_STANDING, ankle.shape)
     for name, side, foot, pitch in (
-        ("Left", 1, standing, 0.0 * times),
+        ("Left", 1, standing, np.zeros(len(ankle))),
         ("Right", -1, ankle, angles[4]),
     ):
         rotations |= _arm(chest, angles[5], name, side)
