@@ -18,10 +18,10 @@ from usdmotion import (
     SceneError,
     Solution,
     Solver,
+    answering,
     import_motion,
     inspect,
     option,
-    session,
     solve,
 )
 from usdmotion.plugins import Host, host
@@ -152,7 +152,7 @@ def fake(monkeypatch: pytest.MonkeyPatch) -> type[Solver]:
     """Make the host know one solver more."""
     first, *others = host().plugins
     together = Host((replace(first, solvers=(*first.solvers, Fake)), *others))
-    monkeypatch.setattr(session, "host", lambda: together)
+    monkeypatch.setattr(answering, "host", lambda: together)
     return Fake
 
 
@@ -217,10 +217,10 @@ def test_edits_that_are_solved_together_must_agree_on_how() -> None:
     one = Edit("/A/Edit", "/A", (), options={"iterations": 3})
     other = Edit("/B/Edit", "/B", (), options={"iterations": 4})
     with pytest.raises(SceneError, match="</A/Edit> and </B/Edit> are solved together but ask for"):
-        session._configured([one, other], None, {})
+        answering._configured([one, other], None, {})
     with pytest.raises(SceneError, match="different solvers or options"):
-        session._configured([one, replace(one, solver="other")], None, {})
-    chosen = session._configured([one, replace(other, options=one.options)], None, {"finish": 2})
+        answering._configured([one, replace(one, solver="other")], None, {})
+    chosen = answering._configured([one, replace(other, options=one.options)], None, {"finish": 2})
     assert (chosen.iterations, chosen.finish) == (3, 2)  # type: ignore[attr-defined]
 
 
