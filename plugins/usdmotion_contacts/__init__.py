@@ -5,6 +5,15 @@ from collections.abc import Iterable
 from usdmotion import Detector, hookimpl
 from usdmotion_contacts.detector import ContactDetector
 from usdmotion_contacts.height_and_speed import HeightAndSpeed
+from usdmotion_contacts.thresholds import Thresholds, best_thresholds
+
+__all__ = [
+    "ContactDetector",
+    "HeightAndSpeed",
+    "Thresholds",
+    "best_thresholds",
+    "register_detectors",
+]
 
 
 @hookimpl

@@ -35,7 +35,10 @@ MARKERS = {
     "ADemo1_rewrite_c3d_pc_float.c3d": ("{}.Toe", "{}.Heel", "{}.Ankle"),
     "Gait.c3d": ("{}TOE", "{}HEE", "{}ANK"),
 }
-"""Three markers of a foot: its origin, where its first axis goes, what spans the plane with it."""
+"""Three markers of a foot: its origin, where its first axis goes, what spans the plane with it.
+
+BTS.c3d is left out: it has two on a foot, which are no frame.
+"""
 KINDS = ("space", "line", "point")
 LIMBS = {
     "l_ankle": ("l_toes", "l_ankle", "l_knee"),

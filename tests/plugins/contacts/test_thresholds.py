@@ -4,8 +4,8 @@ from itertools import product
 
 import numpy as np
 import pytest
+from usdmotion_contacts import best_thresholds
 from usdmotion_contacts.height_and_speed import heights_and_speeds, low_and_slow
-from usdmotion_contacts.thresholds import best_thresholds
 
 
 def f1(said, held):
