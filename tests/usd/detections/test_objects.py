@@ -204,6 +204,22 @@ class TestExamples:
         assert len(still.seen[-1].templates) == 2
         assert len(again.objects[0].contacts) == 3
 
+    def test_an_example_where_nothing_is_found_is_a_contact_all_the_same(
+        self, shot, detect, opened, tmp_path, steps
+    ):
+        report = detect(shot(), "first.usda", templates=[Example("foot", 8, 9)])
+        told = [(each.state, each.start, each.end) for each in report.objects[0].contacts]
+        assert told[1] == ("template", 8.0, 9.0)
+        assert (
+            "nothing was found where a space contact from 8 to 9 is a template" in report.notes[0]
+        )
+        contact = opened("first.usda").GetPrimAtPath(f"{steps.detection}/Contact02")
+        location = contact.GetAttribute("usdmotion:location").Get()
+        # Of the frames 8 and 9 the first is as near to the middle as the other.
+        np.testing.assert_allclose(location, steps.places()[7], rtol=1e-6)
+        again = detect(tmp_path / "first.usda", "second.usda")
+        assert [each.state for each in again.objects[0].contacts].count("template") == 1
+
     def test_an_example_of_a_line_has_lines_looked_for(self, shot, detect, still):
         detect(shot(), templates=[Example("foot", 2, 5, "line")])
         assert still.seen[-1].kinds == ("space", "line")
