@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from pxr import Gf, Usd
 
 from usdmotion import demos, pipeline, usd
 from usdmotion.constraints import built_in
@@ -25,6 +26,7 @@ def looked_at(tmp_path_factory):
             leaf: [each for each in contacts if each.joint.endswith(leaf)] for leaf in (ANKLE, BALL)
         }
 
+    look.folder = folder
     return look
 
 
@@ -103,3 +105,20 @@ def test_detecting_again_changes_nothing(looked_at):
             assert (one.path, one.priority) == (other.path, other.priority)
             assert one.times == pytest.approx(other.times)
             assert np.abs(one.location - other.location).max() < 1e-9
+
+
+def test_what_a_person_moves_takes_what_it_carries_along(looked_at):
+    before = looked_at(output="person.usda")[1]
+    person = looked_at.folder / "person.usda"
+    stage = Usd.Stage.Open(str(person))
+    location = stage.GetAttributeAtPath(f"{before[ANKLE][1].path}.usdmotion:location")
+    location.Set(location.Get() + Gf.Vec3d(3.0, 0.0, 5.0))
+    stage.Save()
+    after = looked_at(shot="person.usda", output="again.usda")[1]
+    moved = np.array([0.03, 0.0, 0.05])
+    carried = [ball for ankle, ball in together(before) if ankle is before[ANKLE][1]]
+    assert carried
+    for one, other in zip(before[BALL], after[BALL], strict=True):
+        along = moved if one in carried else 0.0
+        assert np.abs(other.location - one.location - along).max() < 1e-6
+    assert np.abs(after[ANKLE][1].location - before[ANKLE][1].location - moved).max() < 1e-9

@@ -41,7 +41,8 @@ def agreed(authored: Sequence["Authored"]) -> tuple["Authored", ...]:
     """Return what was found with contacts that can hold together.
 
     A frame that is held carries the joints below it that it is rigidly connected to. Where one of
-    these is held as well, both are where the longer contact is. What is carried begins and ends
+    these is held as well, both are where a person says, else where the longer contact is. What is
+    carried begins and ends
     without easing while the frame is held, because it is in its place then; and it ranks higher, so
     that it stays when the frame is let go.
 
@@ -50,9 +51,11 @@ def agreed(authored: Sequence["Authored"]) -> tuple["Authored", ...]:
     """
     links = list(_links(authored))
     entries = {(o, e): entry for o, each in enumerate(authored) for e, entry in _on(each)}
-    settled: set[Key] = set()
-    for key in sorted(entries, key=lambda key: _length(entries[key]), reverse=True):
-        if key not in settled:
+    given = [key for key, entry in entries.items() if entry.contact is None]
+    longest = sorted(entries, key=lambda key: _length(entries[key]), reverse=True)
+    settled = {*given}
+    for key in (*given, *longest):
+        if key in given or key not in settled:
             _spread(key, links, entries, settled)
     for link in links:
         entries[link.carried] = _uneased(entries[link.carried], entries[link.frame])
@@ -69,9 +72,9 @@ def agreed(authored: Sequence["Authored"]) -> tuple["Authored", ...]:
 
 
 def _on(authored: "Authored") -> Iterator[tuple[int, Entry]]:
-    """Yield the entries that are written now, and where in all of them they are."""
+    """Yield the entries of which it is known what they hold, and where in all of them they are."""
     for index, entry in enumerate(authored.entries):
-        if entry.contact is not None:
+        if entry.contact is not None or entry.there is not None:
             yield index, entry
 
 
@@ -100,10 +103,16 @@ def _offset(above: Sought, below: Sought) -> Floats | None:
 
 def _holds(frame: Entry, carried: Entry) -> bool:
     """Tell whether a frame and the origin of a joint that it carries are held at one time."""
-    assert frame.contact is not None and carried.contact is not None
-    held = frame.contact.kind == "space" and carried.contact.kind in ("space", "point")
-    origin = np.abs(carried.contact.point).max() <= _ORIGIN
+    above, below = _held(frame), _held(carried)
+    held = above.kind == "space" and below.kind in ("space", "point")
+    origin = max(np.abs(above.point).max(), np.abs(below.point).max()) <= _ORIGIN
     return held and bool(origin) and frame.interval.overlap(carried.interval) >= 0.0
+
+
+def _held(entry: Entry) -> Contact:
+    contact = entry.contact or entry.there
+    assert contact is not None
+    return contact
 
 
 def _spread(
@@ -123,8 +132,7 @@ def _spread(
 
 
 def _moved(link: _Link, entries: dict[Key, Entry], there: Key) -> Entry:
-    frame, carried = entries[link.frame].contact, entries[link.carried].contact
-    assert frame is not None and carried is not None
+    frame, carried = _held(entries[link.frame]), _held(entries[link.carried])
     arm = rotate(frame.orientation, link.offset)
     if there == link.carried:
         return replace(entries[there], contact=replace(carried, location=frame.location + arm))

@@ -1,16 +1,16 @@
 """What was found, written on a stage: detections, their noise patterns, their contacts."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from pxr import Sdf, Usd, UsdGeom, Vt
 
 from usdmotion.detecting import Detected
 from usdmotion.usd.detections.agreeing import agreed
-from usdmotion.usd.detections.contact_authoring import author_contact, define, drop
+from usdmotion.usd.detections.contact_authoring import author_contact, define, drop, standing
 from usdmotion.usd.detections.contact_prims import WORLD, contact_prims, says_where
 from usdmotion.usd.detections.entries import Entry, entries_of
-from usdmotion.usd.detections.frames import Frames
+from usdmotion.usd.detections.frames import Frame, Frames
 from usdmotion.usd.detections.noise_patterns import author_pattern
 from usdmotion.usd.detections.searches import Sought
 from usdmotion.usd.layers import over, relate, set_value
@@ -19,6 +19,8 @@ from usdmotion.usd.provenance import hash_of
 _TYPES = Sdf.ValueTypeNames
 _OPTION_TYPES = {bool: _TYPES.Bool, int: _TYPES.Int, float: _TYPES.Double, str: _TYPES.Token}
 _OPTION = "usdmotion:option:"
+_LEFT = ("own", "template")
+"""Contacts that hold and may be left as they are."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,8 +52,9 @@ def author_detections(stage: Usd.Stage, found: Sequence[Found]) -> tuple[Authore
         found: What was found on each object.
     """
     frames = Frames(stage)
-    settled = agreed([_settled(stage, each) for each in found])
     above = [frames.above(each.sought.path, each.sought.trajectory.time_codes) for each in found]
+    pairs = zip(found, above, strict=True)
+    settled = agreed([_settled(stage, each, frame) for each, frame in pairs])
     layer = stage.GetEditTarget().GetLayer()
     with Sdf.ChangeBlock():
         for each, frame in zip(settled, above, strict=True):
@@ -70,7 +73,7 @@ def author_detections(stage: Usd.Stage, found: Sequence[Found]) -> tuple[Authore
     return settled
 
 
-def _settled(stage: Usd.Stage, found: Found) -> Authored:
+def _settled(stage: Usd.Stage, found: Found, frame: Frame) -> Authored:
     sought = found.sought
     there = contact_prims(sought.watched.detection) if sought.watched.detection else []
     beside = sought.watched.detection.GetAllChildren() if sought.watched.detection else []
@@ -83,7 +86,14 @@ def _settled(stage: Usd.Stage, found: Found) -> Authored:
         placeless=[prim.GetName() for prim in there if not says_where(prim)],
     )
     told = (f"<{sought.path}>: {note}" for note in (*found.detected.notes, *notes))
-    return Authored(found, entries, (*sought.notes, *told))
+    by_name = {prim.GetName(): prim for prim in there}
+    whole = tuple(
+        replace(each, there=standing(by_name[each.name], sought, each, frame))
+        if each.contact is None and each.name in by_name and each.state in _LEFT
+        else each
+        for each in entries
+    )
+    return Authored(found, whole, (*sought.notes, *told))
 
 
 def _author_detection(stage: Usd.Stage, layer: Sdf.Layer, found: Found) -> None:

@@ -2,16 +2,18 @@
 
 from typing import Any
 
-from pxr import Gf, Sdf
+import numpy as np
+from pxr import Gf, Sdf, Usd
 
 from usdmotion.arrays import Floats
 from usdmotion.detecting import Contact
 from usdmotion.usd.attribute_authoring import time_code_array
-from usdmotion.usd.detections.contact_prims import MEMORY, REMEMBERED, WORLD
+from usdmotion.usd.detections.contact_prims import MEMORY, REMEMBERED, WORLD, says_where
 from usdmotion.usd.detections.entries import Entry
 from usdmotion.usd.detections.frames import Frame
 from usdmotion.usd.detections.searches import Sought
 from usdmotion.usd.layers import over, relate, set_value
+from usdmotion.usd.relations import value
 
 _TYPES = {
     "kind": Sdf.ValueTypeNames.Token,
@@ -47,13 +49,40 @@ def author_contact(
     elif wake:
         prim.SetInfo("active", True)
     values = _values(sought, entry, entry.contact, frame)
-    for name, value in values.items():
-        set_value(prim, f"usdmotion:{name}", _TYPES[name], value)
+    for name, held in values.items():
+        set_value(prim, f"usdmotion:{name}", _TYPES[name], held)
     if sought.watched.prim is not None:
         relate(prim, "usdmotion:object", sought.object)
     if frame.is_world:
         relate(prim, "usdmotion:space", f"{sought.path}/{WORLD}")
     remember(prim, values, entry)
+
+
+def standing(prim: Usd.Prim, sought: Sought, entry: Entry, frame: Frame) -> Contact | None:
+    """Return what a contact that is left as it is holds; None where that cannot be told.
+
+    Args:
+        prim: The contact.
+        sought: What was looked for, and on what.
+        entry: It as it is known.
+        frame: The frame above it.
+    """
+    beside = prim.GetParent().GetPath().AppendChild(WORLD)
+    target = prim.GetRelationship("usdmotion:space").GetTargets()
+    if not says_where(prim) or target != ([beside] if frame.is_world else []):
+        return None
+    turn = value(prim, "usdmotion:orientation")
+    middle = 0.5 * (entry.interval.start + entry.interval.end)
+    units = sought.trajectory.units_at(middle)
+    inside = np.array(value(prim, "usdmotion:location"))
+    return Contact(
+        kind=str(value(prim, "usdmotion:kind")),
+        start=0.0,
+        end=0.0,
+        point=np.array(value(prim, "usdmotion:point")) * units,
+        location=frame.world_point(inside) * sought.facts.meters_per_unit,
+        orientation=frame.world_orientation(np.array([*turn.GetImaginary(), turn.GetReal()])),
+    )
 
 
 def drop(layer: Sdf.Layer, sought: Sought, entry: Entry) -> None:

@@ -37,6 +37,8 @@ class Entry:
     """Whether a detector has found it now."""
     eased: tuple[float, float] = (0.0, 0.0)
     """For how many time codes it eases in and out."""
+    there: Contact | None = None
+    """What is held by one that is left as it is, where that can be told."""
     priority: int = 1
     """Its rank among the constraints of its edit, if it is new."""
 

@@ -31,6 +31,14 @@ class Frame:
         inside = rotate(conjugate(self.rotation), world - self.translation)
         return np.asarray(inside / self.scale)
 
+    def world_point(self, inside: Floats) -> Floats:
+        """Return a point in it, in its units, as one of the world."""
+        return np.asarray(self.translation + rotate(self.rotation, inside * self.scale))
+
+    def world_orientation(self, inside: Floats) -> Floats:
+        """Return an orientation in it as one of the world, xyzw."""
+        return np.asarray(multiply(self.rotation, inside))
+
     def direction(self, world: Floats) -> Floats:
         """Return a direction of the world in it."""
         return np.asarray(rotate(conjugate(self.rotation), world))
