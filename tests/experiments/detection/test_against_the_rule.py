@@ -14,6 +14,9 @@ NOISE = (0.0, 0.005, 0.01, 0.02)
 """Added to the points that frames are built from, along each axis [m]."""
 OUTLIERS = (0.0, 0.02)
 CLIPS = {"flat ground": ("force plates",), "parkour": ("parkour, feet", "parkour, hands")}
+"""What one pair of thresholds has to serve."""
+PARTS = {"its feet": ("parkour, feet",), "its hands": ("parkour, hands",)}
+"""The parkour with a pair for each."""
 
 
 @dataclass(frozen=True)
@@ -43,7 +46,7 @@ def measure(group, said, noise, outliers):
 def table(limbs, said, tell):
     """Return the figures by clips, noise and outliers."""
     found = {}
-    for clips, names in CLIPS.items():
+    for clips, names in (CLIPS | PARTS).items():
         group = [limb for name in names for limb in limbs[name]]
         for noise in NOISE:
             for outliers in OUTLIERS:
@@ -73,6 +76,21 @@ def test_where_the_ground_is_not_flat_they_are_more_right(table, noise):
 def test_with_outliers_they_are_more_right_everywhere(table, clips, noise):
     f1 = table[clips, noise, 0.02]
     assert f1.estimated > f1.rule
+
+
+@pytest.mark.parametrize("noise", NOISE)
+@pytest.mark.parametrize("outliers", OUTLIERS)
+def test_hands_are_more_right_even_if_the_rule_has_a_pair_for_hands(table, noise, outliers):
+    f1 = table["its hands", noise, outliers]
+    assert f1.estimated > f1.rule
+
+
+@pytest.mark.parametrize("noise", NOISE)
+@pytest.mark.parametrize("outliers", OUTLIERS)
+def test_feet_are_nearly_as_right_as_with_a_pair_for_feet(table, noise, outliers):
+    """Those stand on one floor, and height tells so at 25 Hz when noise has drowned all speed."""
+    f1 = table["its feet", noise, outliers]
+    assert f1.estimated >= f1.rule - 0.05
 
 
 @pytest.mark.parametrize("clips", CLIPS)
