@@ -8,14 +8,13 @@ import pytest
 
 from usdmotion.arrays import Floats
 
-ezc3d = pytest.importorskip("ezc3d", reason="C3D needs the extra 'c3d'")
-
 Write = Callable[..., Path]
 
 
 @pytest.fixture
 def write_c3d(tmp_path: Path) -> Write:
     """Return what writes a file from points in its units, NaN where they are not seen."""
+    ezc3d = pytest.importorskip("ezc3d", reason="C3D needs the extra 'c3d'")
 
     def write(
         points: Floats,

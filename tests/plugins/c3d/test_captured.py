@@ -11,6 +11,8 @@ from usdmotion_c3d import C3dReader
 from usdmotion.errors import FileError
 from usdmotion.testing import check_reader
 
+pytest.importorskip("ezc3d", reason="C3D needs the extra 'c3d'")
+
 ENCODINGS = [f"Eb015{letters}" for letters in ("pi", "pr", "si", "sr", "vi", "vr")]
 GAIT = [
     *("ADemo1_rewrite_c3d_pc_float", "BTS", "FunctionalWalk", "Gait", "OMCS_exampleOverground"),

@@ -8,6 +8,8 @@ import pytest
 from usdmotion import import_motion
 from usdmotion.pipeline import detect
 
+pytest.importorskip("ezc3d", reason="C3D needs the extra 'c3d'")
+
 CLIP = "PiG_Motion-FlatFoot-One.c3d"
 
 

@@ -14,6 +14,8 @@ from usdmotion.fitting import fit
 from usdmotion.humanoid import guess
 from usdmotion.kernels import forward, rotate, world_points
 
+pytest.importorskip("ezc3d", reason="C3D needs the extra 'c3d'")
+
 FULL = {"PiG_Motion-FlatFoot-Full": 19, "PiG_Motion-FlatFoot-One": 19, "Gait": 17}
 SUIT = {"mocap36": 19}
 LOWER = {"FunctionalWalk": 7, "OMCS_exampleOverground": 7, "PiG_Motion3_FF": 7, "PlugInC3D": 7}
