@@ -11,7 +11,7 @@ from usdmotion_contacts.displacements import SLACK, displacements
 from usdmotion_contacts.estimate import estimate
 from usdmotion_contacts.instants import at_rest, turning
 from usdmotion_contacts.merging import left_of
-from usdmotion_contacts.pattern import is_taught, pattern_of, taught
+from usdmotion_contacts.pattern import is_taught, pattern_of, taught, taught_by
 from usdmotion_contacts.places import places
 from usdmotion_contacts.projection import SigmaEpsilon, project
 from usdmotion_contacts.settling import settle
@@ -42,6 +42,13 @@ class ContactDetector:
         "swings about its knee touches nothing. 0 allows any distance.",
         minimum=0.0,
     )
+    rounds: int = option(
+        0,
+        "How often what was found is taken for examples, to look again: a foot is then held while "
+        "it stands, and not while it sets down or rolls off.",
+        minimum=0,
+        maximum=5,
+    )
 
     def detect(self, search: Search) -> Detected:
         """Return what an object obeys.
@@ -55,6 +62,12 @@ class ContactDetector:
                     f"the detector 'contacts' cannot look for '{kind}'; it looks for "
                     + ", ".join(KINDS)
                 )
+        found = self._looked(search)
+        for _ in range(self.rounds):
+            found = self._looked(taught_by(search, found))
+        return found
+
+    def _looked(self, search: Search) -> Detected:
         if self.clock < 1.0 and len(search.times) > 1:
             return restored(self._detected(slowed(search, self.clock)), self.clock, search.times)
         return self._detected(search)

@@ -1,10 +1,10 @@
 """The noise pattern over time, from templates (2006, section 6)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from usdmotion import NoisePattern, Search, Spline, Template
+from usdmotion import Detected, NoisePattern, Search, Spline, Template
 from usdmotion_contacts.displacements import SLACK
 from usdmotion_contacts.noise import (
     NUMERICAL_EPSILON,
@@ -15,6 +15,8 @@ from usdmotion_contacts.noise import (
 from usdmotion_contacts.projection import SigmaEpsilon
 from usdmotion_contacts.sliding import strays
 
+LEAST = 0.1
+"""What was found and lasts for less is no example [s]."""
 BELOW = 0.99
 """What turns, turns more than σ_max: σ_max is at most this share of the smallest σ3 of it."""
 
@@ -48,6 +50,20 @@ def taught(search: Search, points: SigmaEpsilon) -> tuple[list[Noise], list[str]
             f"left out: it holds no step of {points.displacements.step:g} s"
         )
     return noises, notes
+
+
+def taught_by(search: Search, found: Detected) -> Search:
+    """Return a search that has what was found in it as examples, on top of its own (section 3.2).
+
+    What is a moment only, such as a foot that turns back, shows nothing.
+    """
+    shown = tuple(
+        Template(each.kind, each.start, each.end)
+        for each in found.contacts
+        if each.end - each.start >= LEAST
+    )
+    examples = sorted((*search.templates, *shown), key=lambda each: (each.start, each.end))
+    return replace(search, templates=tuple(examples))
 
 
 def pattern_of(noises: list[Noise], otherwise: NoisePattern | None) -> NoisePattern:

@@ -6,10 +6,13 @@ from pxr import Sdf, Usd
 
 from usdmotion.asking import Asked
 from usdmotion.errors import SceneError
+from usdmotion.options import options
+from usdmotion.plugins import host
 from usdmotion.usd.attribute_authoring import define
 from usdmotion.usd.detections.joints import feet_of
 from usdmotion.usd.detections.objects import Watched, find_watched
 from usdmotion.usd.detections.places import Place, Places
+from usdmotion.usd.detections.searches import DEFAULT_DETECTOR
 from usdmotion.usd.detections.survey import Survey
 from usdmotion.usd.relations import edit_of
 
@@ -82,3 +85,6 @@ def _author(stage: Usd.Stage, watched: Watched, place: Place, carried: bool) -> 
     prim.GetAttribute("usdmotion:minimum").Set(SHORTEST)
     if carried:
         prim.GetAttribute("usdmotion:parallelAngle").Set(BENT)
+    # A foot that is only setting down or rolling off is not to be held.
+    if any(each.name == "rounds" for each in options(host().detector(DEFAULT_DETECTOR))):
+        prim.CreateAttribute("usdmotion:option:rounds", Sdf.ValueTypeNames.Int, custom=True).Set(1)
