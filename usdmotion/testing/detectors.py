@@ -10,10 +10,10 @@ from usdmotion.arrays import Floats
 from usdmotion.contract import check_detector_kind
 from usdmotion.curves import Spline
 from usdmotion.detecting import KINDS, Contact, Detected, Detector, Search
-from usdmotion.errors import OptionError, PluginError
+from usdmotion.errors import OptionError
 from usdmotion.kernels import conjugate, from_vector, multiply, rotate, to_vector, world_points
-from usdmotion.options import configured, options
 from usdmotion.testing.searches import STANDS, flying_search, resting_search, stepping_search
+from usdmotion.testing.settings import check_limits
 
 _TURN = np.array([0.4, -1.1, 0.7])
 _SHIFT = np.array([30.0, -20.0, 50.0])
@@ -31,20 +31,7 @@ def check_detector(detector: Detector) -> None:
 
 def check_options(detector: Detector) -> None:
     """Its options say what they are and hold to their limits."""
-    kind = type(detector)
-    try:
-        check_detector_kind(kind)
-    except PluginError as error:
-        raise AssertionError(str(error)) from error
-    for option in options(kind):
-        for limit, beyond in ((option.minimum, -1.0), (option.maximum, 1.0)):
-            if not np.isfinite(limit):
-                continue
-            try:
-                configured(kind, {option.name: limit + beyond})
-            except OptionError:
-                continue
-            raise AssertionError(f"the option '{option.name}' must not go beyond {limit:g}")
+    check_limits(type(detector), check_detector_kind)
 
 
 def check_kinds(detector: Detector) -> None:

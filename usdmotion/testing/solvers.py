@@ -9,13 +9,12 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint, Goal, PositionConstraint
 from usdmotion.contract import check_solver_kind
-from usdmotion.errors import OptionError, PluginError
 from usdmotion.kernels import conjugate, forward, from_vector, multiply, residuals, to_vector
-from usdmotion.options import configured, options
 from usdmotion.scene import Scene
 from usdmotion.solving import STOPS, Problem, Solution, Solver
 from usdmotion.testing.resuming import check_resuming
 from usdmotion.testing.scenes import ARM, HUMANOID, arm_scene, humanoid_scene, moved, posed
+from usdmotion.testing.settings import check_limits
 
 _WRIST = "base/shoulder/elbow/wrist"
 _ELBOW = "base/shoulder/elbow"
@@ -35,20 +34,7 @@ def check_solver(solver: Solver) -> None:
 
 def check_options(solver: Solver) -> None:
     """Its options say what they are and hold to their limits."""
-    kind = type(solver)
-    try:
-        check_solver_kind(kind)
-    except PluginError as error:
-        raise AssertionError(str(error)) from error
-    for option in options(kind):
-        for limit, beyond in ((option.minimum, -1.0), (option.maximum, 1.0)):
-            if not np.isfinite(limit):
-                continue
-            try:
-                configured(kind, {option.name: limit + beyond})
-            except OptionError:
-                continue
-            raise AssertionError(f"the option '{option.name}' must not go beyond {limit:g}")
+    check_limits(type(solver), check_solver_kind)
 
 
 def check_poses(solver: Solver) -> None:
