@@ -244,3 +244,11 @@ def test_the_command_line_tells_it_and_writes_what_was_named(folder, tmp_path, m
     stage = Usd.Stage.Open(str(tmp_path / "out.usda"))
     edit = stage.GetPrimAtPath(EDIT)
     assert edit.GetAttribute("usdmotion:smoothing").Get() == 6.0
+
+
+def test_where_no_foot_stands_nothing_is_moved_and_it_is_said(folder, tmp_path):
+    told = pipeline.clean(folder / "skating.usda", tmp_path / "clean.usda", joints=["Head"])
+    assert told.feet == () and told.met
+    assert told.tables()[0] == "no foot was found to stand"
+    before, after = (walked(each) for each in (folder / "skating.usda", tmp_path / "clean.usda"))
+    assert np.abs(after - before).max() < 1e-5

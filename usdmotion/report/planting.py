@@ -14,7 +14,6 @@ from usdmotion.kernels import world_points
 from usdmotion.quality import jerk
 from usdmotion.report.contacts import ObjectReport
 from usdmotion.report.verdict import EditReport
-from usdmotion.report.wording import amount
 from usdmotion.scene import Edit, Scene
 
 _AWAY = 0.25
@@ -65,9 +64,9 @@ class KeptReport:
     def sentence(self) -> str:
         """What a person is told of it."""
         return (
-            f"<{self.edit}>: away from contacts joints are within {amount(self.elsewhere, 'm')} of "
-            f"where they were; moved most is {self.moved_joint.rsplit('/', 1)[-1]}, by "
-            f"{amount(self.moved, 'm')} at {self.moved_time:g}; jerk of the root "
+            f"<{self.edit}>: away from contacts joints moved by {self.elsewhere * 1e3:.2f} mm at "
+            f"most, anywhere {self.moved_joint.rsplit('/', 1)[-1]} most, by "
+            f"{self.moved * 1e3:.1f} mm at {self.moved_time:g}; jerk of the root "
             f"{self.jerk_before:.0f} → {self.jerk_after:.0f} m/s³"
         )
 
@@ -95,6 +94,9 @@ class PlantingReport:
 
     def tables(self) -> list[Table | str]:
         """Return a table of all feet for a terminal, and a line about each motion."""
+        told = [each.sentence for each in self.kept]
+        if not self.feet:
+            return ["no foot was found to stand", *told]
         table = Table(title="foot slide during contacts", title_justify="left")
         table.add_column("joint")
         for heading in ("contacts", "worst before", "after", "mean before", "after"):
@@ -106,7 +108,7 @@ class PlantingReport:
                 str(each.contacts),
                 *(f"{slide * 1e3:.2f} mm" for slide in slides),
             )
-        return [table, *(each.sentence for each in self.kept)]
+        return [table, *told]
 
 
 def feet_of(
