@@ -3,7 +3,6 @@
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-import numpy as np
 from pxr import Usd
 
 from usdmotion.arrays import Floats
@@ -29,8 +28,6 @@ from usdmotion.usd.relations import bound_animation, value
 from usdmotion.usd.shot import Facts, Shot, Take
 from usdmotion.usd.sources import folder_of, read_extras
 from usdmotion.usd.stages import composition_faults, open_stage, read_facts, refuse, used_files
-
-_UP = {"Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 
 
 def read(
@@ -121,7 +118,7 @@ def _read_group(
         characters=tuple(sitting.character for sitting in sittings.values()),
         edits=edits,
         time_codes=time_codes,
-        up=np.array(_UP[facts.up_axis]),
+        up=facts.up,
     )
     takes = [_take(each, sittings[str(each.skeleton.GetPath())]) for each in requests]
     return scene, takes

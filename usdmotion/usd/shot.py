@@ -31,6 +31,11 @@ class Facts:
     default_prim: str
     """Name of the default prim, "" where there is none."""
 
+    @property
+    def up(self) -> Floats:
+        """The direction away from the ground, shape (3,)."""
+        return np.asarray(np.eye(3)["XYZ".index(self.up_axis)])
+
 
 @dataclass(frozen=True, eq=False)
 class Samples:

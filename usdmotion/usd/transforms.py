@@ -12,6 +12,8 @@ from usdmotion.kernels import rotate
 
 _SKEW = 1e-5
 """Largest cosine between two axes, and relative difference of two scales, taken for rounding."""
+_STILL = 1e-9
+"""How much the matrices of what does not move may differ, relative to their size."""
 
 
 def rigid(matrices: Floats, name: str) -> tuple[Floats, Floats, Floats]:
@@ -53,6 +55,11 @@ def matrices_of(translations: Floats, rotations: Floats) -> Floats:
 def even(scales: Floats) -> bool:
     """Tell whether scales (…, 3) are the same along the three axes."""
     return bool((np.ptp(scales, axis=-1) <= _SKEW * np.abs(scales).max(axis=-1)).all())
+
+
+def is_still(matrices: Floats) -> bool:
+    """Tell whether matrices (frame_count, 4, 4) are the same on all frames."""
+    return bool(np.ptp(matrices, axis=0).max() <= _STILL * np.abs(matrices).max())
 
 
 def world_matrices(prim: Usd.Prim, time_codes: Floats) -> Floats:

@@ -8,10 +8,7 @@ from pxr import Sdf, Usd
 from usdmotion.arrays import Floats
 from usdmotion.errors import SceneError
 from usdmotion.kernels import conjugate, multiply, rotate
-from usdmotion.usd.transforms import rigid, world_matrices
-
-_STILL = 1e-9
-"""How much the matrices above a contact may change, relative to their size."""
+from usdmotion.usd.transforms import is_still, rigid, world_matrices
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +77,7 @@ class Frames:
 
 def _frame(prim: Usd.Prim, time_codes: Floats) -> Frame:
     matrices = world_matrices(prim, time_codes)
-    if np.ptp(matrices, axis=0).max() > _STILL * np.abs(matrices).max():
+    if not is_still(matrices):
         return _WORLD
     try:
         translations, rotations, scales = rigid(matrices[:1], f"<{prim.GetPath()}>")

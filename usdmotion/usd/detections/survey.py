@@ -2,7 +2,6 @@
 
 from functools import cached_property
 
-import numpy as np
 from pxr import Usd, UsdGeom
 
 from usdmotion.arrays import Floats
@@ -10,8 +9,6 @@ from usdmotion.errors import SceneError
 from usdmotion.usd.detections.performers import Performer, read_performer
 from usdmotion.usd.relations import bound_animation, edit_of, is_a, skeleton_of, target, value
 from usdmotion.usd.stages import read_facts
-
-_UP = {"Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 
 
 class Survey:
@@ -41,7 +38,7 @@ class Survey:
     @property
     def up(self) -> Floats:
         """The direction away from the ground, shape (3,)."""
-        return np.array(_UP[self.facts.up_axis])
+        return self.facts.up
 
     @cached_property
     def detections(self) -> list[Usd.Prim]:

@@ -28,19 +28,16 @@ from usdmotion.usd.guides.prims import (
 from usdmotion.usd.guides.shapes import SHAPE, Shape, author_ghost, author_shape, shape_of
 from usdmotion.usd.guides.skins import Skins
 from usdmotion.usd.layers import over
-from usdmotion.usd.transforms import matrices_of, world_matrices
+from usdmotion.usd.transforms import is_still, matrices_of, world_matrices
 
 GUIDES = "Guides"
 """Name of what is made under a contact, and under a detection."""
-_UP = {"Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 _RIGHT = {"Y": np.sqrt((0.5, 0.0, 0.5)) * (1.0, 0.0, -1.0), "Z": np.sqrt((0.5, 0.5, 0.0))}
 """Numbers are read from the front, and from the side that is on the right of it."""
 _STROKE, _THIN, _MARK = 0.04, 0.012, 0.1
 """Thickness of curves, of the whole trajectory, and of points, over the size of the object."""
 _WHOLE = 0.5
 """Opacity of a whole trajectory."""
-_STILL = 1e-9
-"""How much the matrices above a guide may change, relative to their size."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +93,7 @@ def _sheet(stage: Usd.Stage, sought: Sought, color: Color, skins: dict[str, Skin
         skin = skins.setdefault(performer.path, Skins(performer.prim))
     detection = stage.GetPrimAtPath(sought.path)
     contacts = [prim for prim in contact_prims(detection) if prim.IsActive()]
-    up = np.array(_UP[sought.facts.up_axis])
+    up = sought.facts.up
     guides = [
         contact_guide(
             read_held(prim, sought.trajectory, sought.facts),
@@ -121,7 +118,7 @@ def _sheet(stage: Usd.Stage, sought: Sought, color: Color, skins: dict[str, Skin
 
 def _placement(detection: Usd.Prim, sought: Sought) -> Floats | None:
     matrices = world_matrices(detection, sought.trajectory.time_codes)
-    if np.ptp(matrices, axis=0).max() > _STILL * np.abs(matrices).max():
+    if not is_still(matrices):
         return None
     return np.asarray(np.linalg.inv(matrices[0]))
 

@@ -10,6 +10,7 @@ from usdmotion.errors import SceneError
 from usdmotion.guides import Held
 from usdmotion.kernels import multiply, rotate
 from usdmotion.usd.detections.contact_prims import interval_of, says_where
+from usdmotion.usd.detections.entries import SAMPLE
 from usdmotion.usd.detections.trajectories import Trajectory
 from usdmotion.usd.relations import floats, target, value
 from usdmotion.usd.shot import Facts
@@ -17,8 +18,6 @@ from usdmotion.usd.transforms import rigid, world_matrices
 
 PALE = 0.35
 """Opacity of a contact that is not on; all are seen at all times, as the moments of a motion."""
-_SAMPLE = 1e-6
-"""Time codes this near to an end of an interval are inside."""
 
 
 def read_held(prim: Usd.Prim, trajectory: Trajectory, facts: Facts) -> Held:
@@ -32,9 +31,9 @@ def read_held(prim: Usd.Prim, trajectory: Trajectory, facts: Facts) -> Held:
     first, start, end, last = key_times(prim, trajectory)
     middle = trajectory.frame(0.5 * (start + end))
     codes = trajectory.time_codes
-    during = (codes >= start - _SAMPLE) & (codes <= end + _SAMPLE)
+    during = (codes >= start - SAMPLE) & (codes <= end + SAMPLE)
     during[middle] = True
-    eased = during | ((codes >= first - _SAMPLE) & (codes <= last + _SAMPLE))
+    eased = during | ((codes >= first - SAMPLE) & (codes <= last + SAMPLE))
     point = np.array(value(prim, "usdmotion:point", (0.0, 0.0, 0.0)))
     point = point * trajectory.units_at(codes[middle])
     location, orientation, axis = _place(prim, trajectory, middle, point, facts)
