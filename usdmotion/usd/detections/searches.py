@@ -100,7 +100,7 @@ def _sought(
         up=survey.up,
         ground=trajectory.ground,
         kinds=_kinds(watched.detection, asked, taken),
-        templates=_templates(taken, trajectory, facts),
+        templates=_templates(taken, place, trajectory, facts),
         **_settings(watched.detection, asked, trajectory, facts),
     )
     notes = _notes(watched)
@@ -152,7 +152,7 @@ def _without_repeats(known: Sequence[Known]) -> tuple[Known, ...]:
 
 
 def _templates(
-    known: Sequence[Known], trajectory: Trajectory, facts: Facts
+    known: Sequence[Known], place: Place, trajectory: Trajectory, facts: Facts
 ) -> tuple[Template, ...]:
     codes = trajectory.time_codes
     found = []
@@ -162,7 +162,7 @@ def _templates(
         ends = np.clip([each.interval.start, each.interval.end], codes[0], codes[-1])
         if each.interval.end < codes[0] - _SLACK or each.interval.start > codes[-1] + _SLACK:
             raise SceneError(
-                f"the template '{each.name}' is from {each.interval.start:g} to "
+                f"the template <{place.path}/{each.name}> is from {each.interval.start:g} to "
                 f"{each.interval.end:g}, outside of the motion, which is from {codes[0]:g} to "
                 f"{codes[-1]:g}; move or deactivate it"
             )
