@@ -12,6 +12,7 @@ from usdmotion.capture import Cluster, Markers
 _WIDTH = 0.014
 """Diameter of a marker as it is drawn [m]: the balls that most laboratories glue on."""
 _THIN = 0.004
+"""Thickness of the sticks between the markers of a cluster [m]."""
 _WHITE = (0.85, 0.85, 0.88)
 _GREEN = (0.25, 0.65, 0.45)
 

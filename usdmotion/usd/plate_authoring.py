@@ -12,6 +12,7 @@ _YELLOW = (0.95, 0.75, 0.15)
 _LENGTH = 0.001
 """Length of the arrow for one newton [m]: that under a standing body is as high as its hips."""
 _THICK = 0.012
+"""Thickness of the arrow [m]."""
 
 _FORCE = "Force of the plate on the body [N], in the axes of this prim."
 _MOMENT = "Moment of the plate on the body about the origin of this prim [N m], in its axes."

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 _RIGID = 1e-4
 """How far an offset of two joints may change while they count as rigidly connected [m]."""
 _ORIGIN = 1e-9
+"""A held point this near to the origin of its joint is the origin [m]."""
 
 Key = tuple[int, int]
 """Index of the object, and of its entry."""
@@ -42,9 +43,8 @@ def agreed(authored: Sequence["Authored"]) -> tuple["Authored", ...]:
 
     A frame that is held carries the joints below it that it is rigidly connected to. Where one of
     these is held as well, both are where a person says, else where the longer contact is. What is
-    carried begins and ends
-    without easing while the frame is held, because it is in its place then; and it ranks higher, so
-    that it stays when the frame is let go.
+    carried begins and ends without easing while the frame is held, because it is in its place then;
+    and it ranks higher, so that it stays when the frame is let go.
 
     Args:
         authored: What has become of the contacts of each object.

@@ -54,7 +54,7 @@ def author_detections(stage: Usd.Stage, found: Sequence[Found]) -> tuple[Authore
     frames = Frames(stage)
     above = [frames.above(each.sought.path, each.sought.trajectory.time_codes) for each in found]
     pairs = zip(found, above, strict=True)
-    settled = agreed([_settled(stage, each, frame) for each, frame in pairs])
+    settled = agreed([_settled(each, frame) for each, frame in pairs])
     layer = stage.GetEditTarget().GetLayer()
     with Sdf.ChangeBlock():
         for each, frame in zip(settled, above, strict=True):
@@ -73,7 +73,7 @@ def author_detections(stage: Usd.Stage, found: Sequence[Found]) -> tuple[Authore
     return settled
 
 
-def _settled(stage: Usd.Stage, found: Found, frame: Frame) -> Authored:
+def _settled(found: Found, frame: Frame) -> Authored:
     sought = found.sought
     there = contact_prims(sought.watched.detection) if sought.watched.detection else []
     beside = sought.watched.detection.GetAllChildren() if sought.watched.detection else []

@@ -10,12 +10,13 @@ from usdmotion.usd.detections.keeping import Interval, Known, State
 from usdmotion.usd.relations import floats, is_a, value
 
 MEMORY = "usdmotion"
-"""Key of custom data under which a contact keeps what was written of it."""
+"""Key of custom data under which prims of a detection keep what was written of them."""
 WORLD = "World"
 """Name of the prim beside contacts whose frame is the world's."""
 REMEMBERED = ("kind", "joint", "times", "point", "location", "orientation", "axis")
 """Attributes, without their namespace, that say what a contact is."""
 _SAME = 1e-6
+"""Values that differ by less, relative or absolute, were not changed: some are single precision."""
 
 
 def contact_prims(detection: Usd.Prim) -> list[Usd.Prim]:

@@ -7,6 +7,7 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.detecting import Contact
+from usdmotion.kernels import conjugate, multiply, to_vector
 from usdmotion.usd.detections.keeping import Interval, Known, State, settle
 from usdmotion.usd.detections.trajectories import Trajectory
 from usdmotion.usd.shot import Facts
@@ -16,6 +17,7 @@ _EASED = 0.2
 SAMPLE = 1e-6
 """Time codes this near to a sample's are that sample's."""
 _ON = ("detected", "template", "own")
+"""States of contacts that hold."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,8 +144,7 @@ def _there(interval: Interval, trajectory: Trajectory) -> Contact:
 
 
 def _axis(interval: Interval, trajectory: Trajectory) -> Floats:
-    from usdmotion.kernels import conjugate, multiply, to_vector
-
+    """Return about what an object turns from one end of an interval to the other, (3,)."""
     ends = [trajectory.rotations[trajectory.frame(c)] for c in (interval.start, interval.end)]
     turn = to_vector(multiply(ends[1], conjugate(ends[0])))
     length = float(np.linalg.norm(turn))

@@ -11,14 +11,13 @@ from usdmotion.curves import Spline
 from usdmotion.detecting import NoisePattern
 from usdmotion.usd.attribute_authoring import time_code_array
 from usdmotion.usd.clips import merged
-from usdmotion.usd.faults.detections import says_pattern
+from usdmotion.usd.detections.contact_prims import MEMORY
+from usdmotion.usd.faults.detections import EPSILON, SIGMA, says_pattern
 from usdmotion.usd.relations import floats
 from usdmotion.usd.shot import Facts
 
-SIGMA, EPSILON = "usdmotion:sigmaMax", "usdmotion:epsilonMax"
-MEMORY = "usdmotion"
-"""Key of custom data under which prims of a detection keep what was written of them."""
 _SAME = 1e-9
+"""Values of curves that differ by less were not changed."""
 
 
 def read_pattern(prim: Usd.Prim, time_codes: Floats, facts: Facts) -> NoisePattern | None:

@@ -8,7 +8,8 @@ from usdmotion.plugins import host
 from usdmotion.usd.faults.fault import Fault, warning
 from usdmotion.usd.relations import mistyped, names_target, suggestion, value
 
-_PATTERN = ("usdmotion:sigmaMax", "usdmotion:epsilonMax")
+SIGMA, EPSILON = "usdmotion:sigmaMax", "usdmotion:epsilonMax"
+"""The two curves of a noise pattern."""
 
 
 def find_idle_detections(prim: Usd.Prim) -> Iterator[Fault]:
@@ -41,7 +42,7 @@ def find_idle_detections(prim: Usd.Prim) -> Iterator[Fault]:
 
 def half_a_pattern(prim: Usd.Prim) -> str:
     """Return the attribute of a noise pattern that is missing where the other is there, else ""."""
-    says = {name: says_pattern(prim, name) for name in _PATTERN}
+    says = {name: says_pattern(prim, name) for name in (SIGMA, EPSILON)}
     return next((name for name in says if not says[name]), "") if any(says.values()) else ""
 
 

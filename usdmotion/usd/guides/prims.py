@@ -13,8 +13,6 @@ from usdmotion.usd.layers import set_value, set_varying
 _TYPES = Sdf.ValueTypeNames
 PLACED = "xformOp:transform:guide"
 """The transform of a guide; what it refers to may have another."""
-
-
 _DIGITS = 9
 """Of the transform of a guide; more is rounding."""
 
@@ -63,8 +61,8 @@ def guide(prim: Sdf.PrimSpec) -> None:
 
 def author_color(prim: Sdf.PrimSpec, color: Color) -> None:
     """Give a spec a colour."""
-    red = Vt.Vec3fArray([Gf.Vec3f(*color)])
-    set_varying(prim, "primvars:displayColor", _TYPES.Color3fArray, red, "constant")
+    colors = Vt.Vec3fArray([Gf.Vec3f(*color)])
+    set_varying(prim, "primvars:displayColor", _TYPES.Color3fArray, colors, "constant")
 
 
 def author_opacity(prim: Sdf.PrimSpec, opacity: Mapping[float, float] | float) -> None:
