@@ -2,7 +2,8 @@
 
 Where the joints are is told from the markers by published regressions (`landmarks`), which gives
 every segment an orientation of its own (`segments`), and those a skeleton, with the place of each
-marker on it (`skeletons`). Then the markers are what the solver is asked to reach (`solving`).
+marker on it (`skeletons`). Then the markers are what the solver is asked to reach (`fitting`). The
+markers of OptiTrack's suit are brought to the places of the regressions first (`optitrack`).
 """
 
 from usdmotion.fitting.fitting import fit

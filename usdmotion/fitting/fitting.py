@@ -146,13 +146,13 @@ def _told(rig: Rig, motion: Motion, marks: Landmarks) -> tuple[float, str]:
     """Return how far markers usually are from the body [m], and a sentence about it."""
     errors = _errors(rig, motion, marks)
     every = np.concatenate(list(errors.values()))
-    usual = {mark: float(np.sqrt(np.nanmean(each**2))) for mark, each in errors.items()}
-    worst = max(usual, key=usual.__getitem__)
+    typical = {mark: float(np.sqrt(np.nanmean(each**2))) for mark, each in errors.items()}
+    worst = max(typical, key=typical.__getitem__)
     off = float(np.sqrt(np.nanmean(every**2)))
     return off, (
         f"a skeleton of {len(rig.skeleton.joints)} joints is fitted to {len(errors)} markers: they "
         f"are {1000.0 * off:.1f} mm from it (root mean square), most of all {worst}, "
-        f"{1000.0 * usual[worst]:.1f} mm"
+        f"{1000.0 * typical[worst]:.1f} mm"
     )
 
 

@@ -12,6 +12,11 @@ from usdmotion.fitting import landmarks as at
 from usdmotion.fitting.landmarks import SIDES, Landmarks, across, length, unit
 
 X, Y, Z = np.eye(3)
+_COLLAR = 0.12
+"""Where a shoulder girdle begins, from the neck to the shoulder; chosen by eye."""
+_HAND = 0.74
+"""Length of a hand that has no marker, over that of the forearm: 0.108 and 0.146 of the height
+(Winter, "Biomechanics and Motor Control of Human Movement", 2009, figure 4.1)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,7 +131,7 @@ def _trunk(marks: Landmarks, pelvis: Segment, up: Floats) -> list[Segment]:
     for side, letter, sign in SIDES:
         if marks.has(f"{letter}SHO", f"{letter}ELB") and _wrist_marks(marks, letter):
             shoulder = marks[f"{letter}SHO"] - drop * chest_axes[..., 1]
-            collar = neck + 0.12 * (shoulder - neck)
+            collar = neck + _COLLAR * (shoulder - neck)
             found += _arm(marks, collar, shoulder, chest_axes, (side, letter, sign))
     return found
 
@@ -171,8 +176,7 @@ def _arm(
     finger = marks[f"{letter}FIN"]
     seen = marks.has(f"{letter}FIN") and turned
     hand_axes = axes_of(finger - wrist, thumb, along, Z) if seen else fore_axes
-    # Without a marker on the hand: 0.108 of the height, the forearm being 0.146 (Winter).
-    tip = finger if seen else wrist + 0.74 * fore
+    tip = finger if seen else wrist + _HAND * fore
 
     def own(*marks_of: str) -> tuple[str, ...]:
         return tuple(letter + name for name in marks_of)
