@@ -18,7 +18,7 @@ _MADE_UP = re.compile(
 _AXES = "OALP"
 """Last letters of the four points by which Plug-in-Gait shows the axes of a segment."""
 _MANY = 256
-"""A file has labels for so many points in one parameter, and goes on in LABELS2, LABELS3, …"""
+"""A file whose labels are too many for one parameter goes on in LABELS2, LABELS3, …, below this."""
 
 
 def labels_of(trial: Trial) -> list[str]:

@@ -59,7 +59,7 @@ class ContactDetector:
         for kind in search.kinds:
             if kind not in KINDS:
                 raise OptionError(
-                    f"the detector 'contacts' cannot look for '{kind}'; it looks for "
+                    f"the detector '{self.name}' cannot look for '{kind}'; it looks for "
                     + ", ".join(KINDS)
                 )
         found = self._looked(search)

@@ -13,6 +13,10 @@ from usdmotion_contacts.merging import Groups
 
 ROUNDS = 30
 """Most rounds in which a place settles."""
+SETTLED = 1e-7
+"""A place that moves by less in a round has settled [m]."""
+NEAREST = 1e-9
+"""What is nearer to a place weighs as if it were so far from it [m]."""
 
 
 class _Held(NamedTuple):
@@ -164,7 +168,7 @@ def _nearer(
             continue
         place = turned(quaternion_at(rotations, frame), vector_at(held.points, contact))
         far = _off(translations, rotations, held, contact, frame, 0.0)
-        weight = 1.0 / max(far, 1e-9)
+        weight = 1.0 / max(far, NEAREST)
         weights += weight
         x += weight * (place[0] + translations[frame, 0] - translations[0, 0])
         y += weight * (place[1] + translations[frame, 1] - translations[0, 1])
@@ -172,7 +176,7 @@ def _nearer(
     x, y, z = x / weights, y / weights, z / weights
     moved = abs(x - location[0]) + abs(y - location[1]) + abs(z - location[2])
     location[0], location[1], location[2] = x, y, z
-    return bool(moved > 1e-7)
+    return bool(moved > SETTLED)
 
 
 @shared

@@ -22,6 +22,9 @@ from usdmotion_contacts.tolerance import frame_tolerance
 WIDE = 10.0
 """A plane is known where the trajectory is so many times as wide on it as ε_max."""
 
+UPRIGHT = 1e-3
+"""A plane is upright where up is along it but for so much: then it has the sense of the motion."""
+
 PARTS = 5
 """A piece that bends is seen by the means of so many parts of it."""
 BENT = 0.25
@@ -118,7 +121,7 @@ def _contact(
         sense = axis @ (way[-1] - way[0])
     else:
         sense = axis @ search.up
-        if abs(sense) < 1e-3:
+        if abs(sense) < UPRIGHT:
             around = way - way.mean(axis=0)
             sense = axis @ np.cross(around[:-1], around[1:]).sum(axis=0)
     return Contact(

@@ -23,6 +23,10 @@ RIGHT, ACROSS, ALONG, WEIGHT, SIGMA, EPSILON, SENSE = 6, 9, 10, 11, 12, 13, 14
 """Columns of a stack: after N by rows of its upper half Aᵀt, Σ |t across the axis|², Σ slide²,
 Σ σ3², Σ σ_max², Σ ε_max², Σ a sin(θ/2)."""
 COLUMNS = 17
+SINGULAR = 1e-12
+"""Eigenvalues of N below this, relative to the largest, are 0: that way nothing is known."""
+TINY = 1e-300
+"""Instead of 0, where that would divide."""
 _PAIRS = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 
 
@@ -57,7 +61,7 @@ def stacks(moves: Displacements, pattern: NoisePattern) -> Floats:
     """Return the stack of each displacement alone, shape (displacement_count, COLUMNS)."""
     vector, cosine = moves.rotations[:, :3], moves.rotations[:, 3:]
     sine = np.linalg.norm(vector, axis=1, keepdims=True)
-    axis = vector / np.maximum(sine, 1e-300)
+    axis = vector / np.maximum(sine, TINY)
     t = moves.translations
     slide = np.sum(t * axis, axis=1, keepdims=True)
     across = t - slide * axis
@@ -83,7 +87,7 @@ def solve(fit: Fit) -> None:
     _turn_as(fit.vectors, stack)
     for i in range(3):
         fit.line[i] = fit.center[i]
-    least = 1e-12 * max(fit.values[2], 1e-300)
+    least = SINGULAR * max(fit.values[2], TINY)
     for e in range(2, -1, -1):
         if e == 0:
             for i in range(3):
