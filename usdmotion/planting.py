@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from usdmotion.answering import Say, results_of, solved_scenes
 from usdmotion.asking import Asked
-from usdmotion.errors import FileError, SceneError
+from usdmotion.errors import SceneError
 from usdmotion.kernels import forward
 from usdmotion.plugins import host
 from usdmotion.report.contacts import DetectionReport
@@ -27,7 +27,7 @@ class Wish:
 
     smoothing: float | None = None
     """Cutoff of the filter between enforcing and enforcing again [Hz], 0 for none; None takes what
-    an edit says, or a usual one."""
+    an edit says, or 4."""
     frames: tuple[float, float] | None = None
     """First and last time code to solve; None takes what each edit says."""
 
@@ -50,8 +50,6 @@ def plant(
     """
     from usdmotion import usd
 
-    if not shot.is_file():
-        raise FileError(f"{shot}: there is no such file")
     say(f"reading {shot}")
     overlay = usd.Overlay.open(shot, output)
     try:
@@ -74,8 +72,6 @@ def plant(
 
 def _of_feet(overlay: Overlay, asked: Asked, detections: Sequence[str]) -> Asked:
     """Return what to ask of the joints of feet, which all have a detection now."""
-    from dataclasses import replace
-
     stage = overlay.stage
     joints = [
         str(stage.GetPrimAtPath(path).GetAttribute("usdmotion:joint").Get()) for path in detections
@@ -116,6 +112,7 @@ def _told(
     detections: Sequence[str],
     notes: Sequence[str],
 ) -> PlantingReport:
+    """Return what became of the feet of all scenes, and of the rest of their motions."""
     feet: list[FootReport] = []
     kept: list[KeptReport] = []
     for scene, solved in zip(read.scenes, scenes, strict=True):

@@ -45,9 +45,7 @@ def evenly(motion: Motion, rate: float) -> Motion:
         motion: What to resample.
         rate: Samples per second.
     """
-    start, end = motion.times[0], motion.times[-1]
-    count = int((end - start) * rate + _SAMPLE_SLACK) + 1
-    return resample(motion, start + np.arange(count) / rate)
+    return resample(motion, _even(motion.times, rate))
 
 
 def capture_evenly(capture: Capture, rate: float) -> Capture:
@@ -60,8 +58,7 @@ def capture_evenly(capture: Capture, rate: float) -> Capture:
         rate: Samples per second.
     """
     own, markers = capture.times, capture.markers
-    count = int((own[-1] - own[0]) * rate + _SAMPLE_SLACK) + 1
-    times = own[0] + np.arange(count) / rate
+    times = _even(own, rate)
     place = np.clip((times - own[0]) * capture.frame_rate, 0.0, len(own) - 1.0)
     whole = np.round(place)
     place = np.where(np.abs(place - whole) < _SAMPLE_SLACK, whole, place)
@@ -72,3 +69,9 @@ def capture_evenly(capture: Capture, rate: float) -> Capture:
     seen = markers.seen[before] & markers.seen[after]
     moved = replace(markers, positions=positions, seen=seen)
     return replace(capture, frame_rate=rate, times=times, markers=moved)
+
+
+def _even(times: Floats, rate: float) -> Floats:
+    """Return evenly spaced times from the first to the last of some [s], (sample_count,)."""
+    count = int((times[-1] - times[0]) * rate + _SAMPLE_SLACK) + 1
+    return np.asarray(times[0] + np.arange(count) / rate)

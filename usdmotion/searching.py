@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
-import numpy as np
-
+from usdmotion.answering import Say
+from usdmotion.arrays import Floats
 from usdmotion.asking import Asked
 from usdmotion.curves import Spline
 from usdmotion.detecting import KINDS, Detected, Detector, Search
-from usdmotion.errors import FileError, PluginError, SceneError
+from usdmotion.errors import PluginError, SceneError
 from usdmotion.options import configured
 from usdmotion.options import options as options_of
 from usdmotion.plugins import host
@@ -20,9 +19,6 @@ from usdmotion.report.contacts import ContactReport, DetectionReport, ObjectRepo
 if TYPE_CHECKING:
     from usdmotion.usd.detections import Authored, Entry, Found, Sought
     from usdmotion.usd.overlays import Overlay
-
-Say = Callable[[str], None]
-"""Is told what is being done now, in a few words."""
 
 
 def search(shot: Path, output: Path, asked: Asked, *, say: Say = lambda _: None) -> DetectionReport:
@@ -40,8 +36,6 @@ def search(shot: Path, output: Path, asked: Asked, *, say: Say = lambda _: None)
     """
     from usdmotion.usd import Overlay
 
-    if not shot.is_file():
-        raise FileError(f"{shot}: there is no such file")
     say(f"reading {shot}")
     overlay = Overlay.open(shot, output)
     report = search_over(overlay, asked, say=say)
@@ -86,6 +80,7 @@ def search_over(overlay: Overlay, asked: Asked, *, say: Say = lambda _: None) ->
 
 
 def _found(sought: Sought) -> Found:
+    """Return what the detector that is asked for finds, with all the options that it has."""
     from usdmotion.usd import Found
 
     kind = host().detector(sought.detector)
@@ -150,15 +145,19 @@ def _pattern(sought: Sought, detected: Detected) -> PatternReport | None:
     pattern = detected.pattern
     if pattern is None:
         return None
-    given = "templates" if sought.search.templates else "prim" if sought.search.pattern else ""
     times = sought.search.times
     return PatternReport(
-        given or "estimate",  # type: ignore[arg-type]
-        _range(pattern.sigma, times),
-        _range(pattern.epsilon, times),
+        _giver(sought), _range(pattern.sigma, times), _range(pattern.epsilon, times)
     )
 
 
-def _range(spline: Spline, times: np.ndarray) -> tuple[float, float]:
+def _giver(sought: Sought) -> Literal["templates", "prim", "estimate"]:
+    """Return where the noise pattern of a search is from: templates win over the prim."""
+    if sought.search.templates:
+        return "templates"
+    return "estimate" if sought.search.pattern is None else "prim"
+
+
+def _range(spline: Spline, times: Floats) -> tuple[float, float]:
     values = spline.at(times)
     return float(values.min()), float(values.max())

@@ -7,6 +7,7 @@ import typer
 from usdmotion.arguments import beside, cutoff_of, frames_of, names_of, options_of, template_of
 from usdmotion.cli.application import app
 from usdmotion.cli.flags import (
+    DetectorName,
     Frames,
     Json,
     Options,
@@ -25,7 +26,9 @@ Joints = Annotated[
 ]
 Smoothing = Annotated[
     float | None,
-    typer.Option(metavar="HZ", help="Low-pass what was changed; 0 is off, 4 is usual."),
+    typer.Option(
+        metavar="HZ", help="Low-pass what was changed; 0 is off; else what an edit says, or 4."
+    ),
 ]
 
 
@@ -35,7 +38,7 @@ def clean(
     output: Output = None,
     joints: Joints = None,
     template: Templates = None,
-    detector: Annotated[str, typer.Option(help="Name of the detector.")] = "",
+    detector: DetectorName = "",
     option: Options = None,
     smoothing: Smoothing = None,
     frames: Frames = None,

@@ -6,7 +6,7 @@ import typer
 
 from usdmotion.arguments import beside, names_of, options_of, template_of
 from usdmotion.cli.application import app
-from usdmotion.cli.flags import Json, Options, Output, Quiet, Source, Templates
+from usdmotion.cli.flags import DetectorName, Json, Options, Output, Quiet, Source, Templates
 from usdmotion.terminal import Terminal, write_text
 
 Joints = Annotated[
@@ -41,7 +41,7 @@ def detect(
     prims: Prims = None,
     kinds: Kinds = None,
     template: Templates = None,
-    detector: Annotated[str, typer.Option(help="Name of the detector.")] = "",
+    detector: DetectorName = "",
     option: Options = None,
     minimum: Minimum = None,
     edit: Annotated[

@@ -42,6 +42,7 @@ MendRecruiting = Annotated[
 Strict = Annotated[
     bool, typer.Option("--strict", help="End with status 3 where a constraint is not met.")
 ]
+DetectorName = Annotated[str, typer.Option("--detector", help="Name of the detector.")]
 Templates = Annotated[
     list[str] | None,
     typer.Option(
