@@ -100,3 +100,16 @@ def test_an_edit_that_is_named_is_where_contacts_go(shot, detect):
     assert named.objects[0].path == "/Man/Bones/Two/foot"
     with pytest.raises(SceneError, match="<Two> is no MotionEdit; there are: /Man/Bones/One"):
         detect(shot("c.usda", skeleton=two), "c.out.usda", edit="Two")
+
+
+def test_a_template_outside_of_the_motion_is_named(shot, detect):
+    late = """def MotionEdit "Mine" { def MotionDetection "Foot" {
+        uniform token usdmotion:joint = "hips/foot"
+        def MotionContactConstraint "Shown" {
+            uniform bool usdmotion:template = true
+            uniform timecode[] usdmotion:times = [30, 36]
+        }
+    }
+    }"""
+    with pytest.raises(SceneError, match="</Man/Bones/Mine/Foot/Shown> is from 30 to 36, outside"):
+        detect(shot(skeleton=late))
