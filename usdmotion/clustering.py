@@ -110,7 +110,7 @@ def _cluster(name: str, members: Ints, markers: Markers) -> Cluster | None:
     placed = whole & _wide(points, seen)
     if not placed.any():
         return None
-    turns, centers = place_shape(points, positions[placed], seen[placed])
+    turns, centers = _place_shape(points, positions[placed], seen[placed])
     away = positions[placed] - (np.einsum("fij,kj->fki", turns, points) + centers[:, None])
     squares = (away**2).sum(axis=2)[seen[placed]]
     # The axes of a cluster are the world's where it is placed first.
@@ -138,7 +138,7 @@ def _shape(positions: Floats, seen: Bools) -> Floats:
     shape = np.where(known[:, None], positions[best], 0.0)
     for _ in range(_ROUNDS):
         usable = (seen & known).sum(axis=1) >= 3
-        turns, centers = place_shape(shape, positions[usable], seen[usable] & known)
+        turns, centers = _place_shape(shape, positions[usable], seen[usable] & known)
         inside = np.einsum("fji,fkj->fki", turns, positions[usable] - centers[:, None])
         weight = seen[usable].sum(axis=0)
         sums = (inside * seen[usable, :, None]).sum(axis=0)
@@ -154,7 +154,7 @@ def _wide(points: Floats, seen: Bools) -> Bools:
     return np.asarray(np.linalg.svd(off, compute_uv=False)[:, 1] > _FLAT)
 
 
-def place_shape(shape: Floats, positions: Floats, seen: Bools) -> tuple[Floats, Floats]:
+def _place_shape(shape: Floats, positions: Floats, seen: Bools) -> tuple[Floats, Floats]:
     """Return the turns and shifts that lay a shape on what is seen of it, in least squares.
 
     W. Kabsch, "A solution for the best rotation to relate two sets of vectors", Acta

@@ -7,7 +7,7 @@ from pxr import Sdf, Usd, UsdGeom, Vt
 
 from usdmotion.detecting import Detected
 from usdmotion.usd.detections.agreeing import agreed
-from usdmotion.usd.detections.contact_authoring import author_contact, define, drop, standing
+from usdmotion.usd.detections.contact_authoring import author_contact, define_spec, drop, standing
 from usdmotion.usd.detections.contact_prims import WORLD, contact_prims, says_where
 from usdmotion.usd.detections.entries import Entry, entries_of
 from usdmotion.usd.detections.frames import Frame, Frames
@@ -101,7 +101,7 @@ def _author_detection(stage: Usd.Stage, layer: Sdf.Layer, found: Found) -> None:
     prim = over(layer, sought.path)
     if sought.watched.detection is None:
         _author_above(stage, layer, sought)
-        define(prim, "MotionDetection")
+        define_spec(prim, "MotionDetection")
         if sought.watched.prim is not None:
             relate(prim, "usdmotion:object", sought.object)
         else:
@@ -124,7 +124,7 @@ def _author_above(stage: Usd.Stage, layer: Sdf.Layer, sought: Sought) -> None:
         return
     above = over(layer, str(path))
     if place.parent_type == "MotionEdit":
-        define(above, "MotionEdit")
+        define_spec(above, "MotionEdit")
         if place.skeleton:
             relate(above, "usdmotion:skeleton", place.skeleton)
     else:

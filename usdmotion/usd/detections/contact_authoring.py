@@ -43,7 +43,7 @@ def author_contact(
     assert entry.contact is not None
     prim = over(layer, f"{sought.path}/{entry.name}")
     if entry.new:
-        define(prim, "MotionContactConstraint")
+        define_spec(prim, "MotionContactConstraint")
         if entry.priority != 1:
             set_value(prim, "usdmotion:priority", Sdf.ValueTypeNames.Int, entry.priority)
     elif wake:
@@ -55,7 +55,7 @@ def author_contact(
         relate(prim, "usdmotion:object", sought.object)
     if frame.is_world:
         relate(prim, "usdmotion:space", f"{sought.path}/{WORLD}")
-    remember(prim, values, entry)
+    _remember(prim, values, entry)
 
 
 def standing(prim: Usd.Prim, sought: Sought, entry: Entry, frame: Frame) -> Contact | None:
@@ -92,14 +92,14 @@ def drop(layer: Sdf.Layer, sought: Sought, entry: Entry) -> None:
     prim.customData[MEMORY] = {**prim.customData.get(MEMORY, {}), "dropped": True}
 
 
-def define(prim: Sdf.PrimSpec, schema: str) -> None:
+def define_spec(prim: Sdf.PrimSpec, schema: str) -> None:
     """Make a spec that of a prim of a schema class that nobody renders."""
     prim.specifier = Sdf.SpecifierDef
     prim.typeName = schema
     set_value(prim, "purpose", Sdf.ValueTypeNames.Token, "guide")
 
 
-def remember(prim: Sdf.PrimSpec, values: dict[str, Any], entry: Entry) -> None:
+def _remember(prim: Sdf.PrimSpec, values: dict[str, Any], entry: Entry) -> None:
     """Keep what was written of a contact, to tell later what a person has changed."""
     example = entry.example
     codes = (example.start, example.end) if example and entry.state == "template" else ()

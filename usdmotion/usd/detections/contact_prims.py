@@ -34,7 +34,7 @@ def known_contact(prim: Usd.Prim, span: tuple[float, float]) -> Known:
     state = _state(prim)
     kind = str(value(prim, "usdmotion:kind", "space"))
     held = Interval(kind, *interval_of(floats(value(prim, "usdmotion:times", ())), span))
-    example = floats(memory_of(prim).get("example", ()))
+    example = floats(_memory_of(prim).get("example", ()))
     if state == "template" and len(example) == 2 and _as_written(prim, ("times",)):
         held = Interval(kind, example[0], example[1])
     return Known(prim.GetName(), state, held)
@@ -47,7 +47,7 @@ def interval_of(times: list[float], span: tuple[float, float]) -> tuple[float, f
     return (times[0], times[1]) if len(times) == 2 else span
 
 
-def memory_of(prim: Usd.Prim) -> dict[str, Any]:
+def _memory_of(prim: Usd.Prim) -> dict[str, Any]:
     """Return what was written of a contact when it was detected, by the names of attributes."""
     memory = prim.GetCustomDataByKey(MEMORY)
     return memory if isinstance(memory, dict) else {}
@@ -60,7 +60,7 @@ def says_where(prim: Usd.Prim) -> bool:
 
 
 def _state(prim: Usd.Prim) -> State:
-    memory = memory_of(prim)
+    memory = _memory_of(prim)
     untouched = bool(memory) and _as_written(prim, REMEMBERED) and _in_its_place(prim)
     if not prim.IsActive():
         return "dropped" if untouched and memory.get("dropped") else "off"
@@ -71,7 +71,7 @@ def _state(prim: Usd.Prim) -> State:
 
 
 def _as_written(prim: Usd.Prim, names: tuple[str, ...]) -> bool:
-    memory = memory_of(prim)
+    memory = _memory_of(prim)
     return all(
         name in memory and _same(value(prim, f"usdmotion:{name}"), memory[name]) for name in names
     )

@@ -31,7 +31,7 @@ def find_idle_detections(prim: Usd.Prim) -> Iterator[Fault]:
             "UnknownDetector",
             f"is by the detector '{detector}', which is not there; {suggestion(detector, known)}",
         )
-    missing = half_a_pattern(prim)
+    missing = _half_a_pattern(prim)
     if missing:
         yield warning(
             prim,
@@ -40,7 +40,7 @@ def find_idle_detections(prim: Usd.Prim) -> Iterator[Fault]:
         )
 
 
-def half_a_pattern(prim: Usd.Prim) -> str:
+def _half_a_pattern(prim: Usd.Prim) -> str:
     """Return the attribute of a noise pattern that is missing where the other is there, else ""."""
     says = {name: says_pattern(prim, name) for name in (SIGMA, EPSILON)}
     return next((name for name in says if not says[name]), "") if any(says.values()) else ""

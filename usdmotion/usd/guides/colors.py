@@ -5,9 +5,10 @@ from collections.abc import Sequence
 from pxr import Usd
 
 from usdmotion.guides import COLORS, Color, another, same
+from usdmotion.usd.guides.prims import GUIDES
 from usdmotion.usd.relations import is_a
 
-TRAJECTORY = "Guides/Trajectory"
+TRAJECTORY = f"{GUIDES}/Trajectory"
 """The guide below a detection that has its colour: the whole way of its object."""
 
 

@@ -18,6 +18,7 @@ from usdmotion.usd.detections.searches import Sought
 from usdmotion.usd.guides.colors import TRAJECTORY, colors_of
 from usdmotion.usd.guides.holds import opacity_of, read_held
 from usdmotion.usd.guides.prims import (
+    GUIDES,
     author_curves,
     author_opacity,
     author_points,
@@ -30,8 +31,6 @@ from usdmotion.usd.guides.skins import Skins
 from usdmotion.usd.layers import over
 from usdmotion.usd.transforms import is_still, matrices_of, world_matrices
 
-GUIDES = "Guides"
-"""Name of what is made under a contact, and under a detection."""
 _RIGHT = {"Y": np.sqrt((0.5, 0.0, 0.5)) * (1.0, 0.0, -1.0), "Z": np.sqrt((0.5, 0.5, 0.0))}
 """Numbers are read from the front, and from the side that is on the right of it."""
 _STROKE, _THIN, _MARK = 0.04, 0.012, 0.1

@@ -28,7 +28,7 @@ def read_held(prim: Usd.Prim, trajectory: Trajectory, facts: Facts) -> Held:
         trajectory: How the object moves.
         facts: Units and rates of the stage.
     """
-    first, start, end, last = key_times(prim, trajectory)
+    first, start, end, last = _key_times(prim, trajectory)
     middle = trajectory.frame(0.5 * (start + end))
     codes = trajectory.time_codes
     during = (codes >= start - SAMPLE) & (codes <= end + SAMPLE)
@@ -61,14 +61,14 @@ def opacity_of(
     """
     if not floats(value(prim, "usdmotion:times", ())):
         return 1.0
-    first, start, end, last = key_times(prim, trajectory)
+    first, start, end, last = _key_times(prim, trajectory)
     frame = facts.time_codes_per_second / facts.frames_per_second
     before = first if first < start else start - frame
     after = last if last > end else end + frame
     return {before: PALE, start: 1.0, end: 1.0, after: PALE}
 
 
-def key_times(prim: Usd.Prim, trajectory: Trajectory) -> tuple[float, float, float, float]:
+def _key_times(prim: Usd.Prim, trajectory: Trajectory) -> tuple[float, float, float, float]:
     """Return when a contact begins to ease in, is fully on, begins to ease out, and is off."""
     times = floats(value(prim, "usdmotion:times", ()))
     span = float(trajectory.time_codes[0]), float(trajectory.time_codes[-1])

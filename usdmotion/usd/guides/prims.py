@@ -11,6 +11,8 @@ from usdmotion.guides import Color
 from usdmotion.usd.layers import set_value, set_varying
 
 _TYPES = Sdf.ValueTypeNames
+GUIDES = "Guides"
+"""Name of what is made under a contact, and under a detection."""
 PLACED = "xformOp:transform:guide"
 """The transform of a guide; what it refers to may have another."""
 _DIGITS = 9
