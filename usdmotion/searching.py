@@ -73,7 +73,7 @@ def search_over(overlay: Overlay, asked: Asked, *, say: Say = lambda _: None) ->
         usd.author_contact_guides(overlay.stage, authored)
     report = DetectionReport(
         tuple(_object(each) for each in authored),
-        tuple(note for each in authored for note in each.notes),
+        tuple(dict.fromkeys(note for each in authored for note in each.notes)),
     )
     overlay.remember(detection=usd.detection_provenance(authored, report.notes))
     return report

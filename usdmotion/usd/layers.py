@@ -98,7 +98,8 @@ def over(layer: Sdf.Layer, path: str) -> Sdf.PrimSpec:
 
 def relate(prim: Sdf.PrimSpec, name: str, *targets: str) -> None:
     """Make a relationship of a prim name some targets, and nothing else."""
-    relationship = Sdf.RelationshipSpec(prim, name, custom=False)
+    there = prim.relationships.get(name)
+    relationship = there or Sdf.RelationshipSpec(prim, name, custom=False)
     relationship.targetPathList.ClearEditsAndMakeExplicit()
     relationship.targetPathList.explicitItems = [Sdf.Path(target) for target in targets]
 

@@ -1,11 +1,14 @@
 """Where detections go: into the edit of their skeleton, outside of instances, beside props."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
-from pxr import Usd
+from pxr import Sdf, Usd
 
 from usdmotion import SceneError, pipeline
 
+STAGES = Path(__file__).parents[3] / "stages"
 TWO = """
 def SkelRoot "Woman" (references = </Man>) {
     double3 xformOp:translate = (0, 0, 50)
@@ -54,6 +57,63 @@ def test_an_instance_has_its_edit_beside_it(shot, detect, opened, tmp_path):
     ]
     again = detect(tmp_path / "out.usda", "again.usda")
     assert sorted(paths(again)) == sorted(paths(report))
+
+
+def test_all_joints_of_an_instance_share_one_edit_and_it_is_told_why_nothing_solves_it(
+    tmp_path, opened
+):
+    shot = instanced(tmp_path)
+    report = pipeline.detect(shot, tmp_path / "out.usda", joints=["LeftFoot", "RightFoot"])
+    assert paths(report) == ["/Hero_Contacts/LeftFoot", "/Hero_Contacts/RightFoot"]
+    edit = opened().GetPrimAtPath("/Hero_Contacts")
+    assert edit.GetRelationship("usdmotion:skeleton").GetTargets() == ["/Hero/Skeleton"]
+    (note,) = [each for each in report.notes if "cannot be solved" in each]
+    assert "make the instance not instanceable" in note
+    with pytest.raises(SceneError, match="make the instance not instanceable"):
+        pipeline.solve(tmp_path / "out.usda", tmp_path / "edit.usda")
+
+
+def test_contacts_of_an_instance_that_binds_its_own_motion_are_solved(tmp_path):
+    report = pipeline.detect(
+        instanced(tmp_path, bound_outside=True), tmp_path / "out.usda", joints=["LeftFoot"]
+    )
+    assert report.count > 0
+    assert not [each for each in report.notes if "cannot be solved" in each]
+    (solved,) = pipeline.solve(tmp_path / "out.usda", tmp_path / "edit.usda").edits
+    assert solved.path == "/Hero_Contacts"
+
+
+def instanced(folder, *, bound_outside=False):
+    """Write a stage on which the walker of `skating.usda` is an instance."""
+    layer = Sdf.Layer.FindOrOpen(str(STAGES / "skating.usda"))
+    walker = Sdf.Layer.CreateAnonymous(".usda")
+    walker.TransferContent(layer)
+    binding = ""
+    if bound_outside:
+        skeleton = walker.GetPrimAtPath("/Walker/Skeleton")
+        skeleton.RemoveProperty(skeleton.relationships["skel:animationSource"])
+        binding = "rel skel:animationSource = </Hero/Animation>"
+    walker.Export(str(folder / "walker.usda"))
+    rates = "\n".join(
+        f"{name} = {getattr(layer, name):g}"
+        for name in ("timeCodesPerSecond", "startTimeCode", "endTimeCode")
+    )
+    shot = folder / "shot.usda"
+    shot.write_text(f"""#usda 1.0
+(
+metersPerUnit = 0.01
+upAxis = "Y"
+{rates}
+)
+def "Hero" (
+    instanceable = true
+    prepend apiSchemas = ["SkelBindingAPI"]
+    prepend references = @./walker.usda@
+) {{
+    {binding}
+}}
+""")
+    return shot
 
 
 def test_the_motion_that_is_looked_at_is_the_source_and_not_the_result(

@@ -11,6 +11,7 @@ from usdmotion.arrays import Floats
 from usdmotion.asking import Asked, Example
 from usdmotion.detecting import KINDS, Search, Template
 from usdmotion.errors import OptionError, SceneError
+from usdmotion.usd.bindings import holder_of
 from usdmotion.usd.constraints import constraint_prims
 from usdmotion.usd.detections.contact_prims import contact_prims, known_contact
 from usdmotion.usd.detections.joints import leaf_of
@@ -220,7 +221,16 @@ def _notes(watched: Watched) -> tuple[str, ...]:
     """Return what is probably not meant of a detection."""
     found = find_idle_detections(watched.detection) if watched.detection is not None else ()
     idle = (each.sentence for each in found if each.name in ("TwoObjects", "HalfAPattern"))
-    return (*idle, *_rivals(watched))
+    return (*idle, *_rivals(watched), *_unsolvable(watched))
+
+
+def _unsolvable(watched: Watched) -> Iterator[str]:
+    """Yield why an edit of a joint's skeleton could not be solved, if so."""
+    try:
+        if watched.performer is not None:
+            holder_of(watched.performer.prim)
+    except SceneError as error:
+        yield f"contacts are found, but cannot be solved as it is: {error}"
 
 
 def _rivals(watched: Watched) -> Iterator[str]:
