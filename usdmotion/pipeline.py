@@ -187,6 +187,9 @@ def solve(
         InputError: The stage, an edit or an option is at fault.
         PluginError: The solver does not keep its contract.
     """
+    from usdmotion import usd
+
+    usd.require_apart((output, compose), (page,))
     if page is not None:
         require_matplotlib()
     session = Session.open(
@@ -239,6 +242,9 @@ def clean(
         InputError: The stage, or what is asked for, is at fault.
         PluginError: A detector or solver does not keep its contract.
     """
+    from usdmotion import usd
+
+    usd.require_apart((output,), (page,))
     if page is not None:
         require_matplotlib()
     asked = Asked(

@@ -45,6 +45,7 @@ def report(
     """
     from usdmotion import usd
 
+    usd.require_apart((), (output, png))
     require_matplotlib()
     say(f"reading {result}")
     read = usd.read_outcomes(result, shot=shot, kinds=host().constraints)

@@ -48,10 +48,11 @@ def clean(
     quiet: Quiet = False,
 ) -> None:
     """Plant feet that slide: find where they stand, hold them there, keep the rest."""
-    from usdmotion import pipeline
+    from usdmotion import pipeline, usd
 
     terminal = Terminal.open(quiet=quiet, json=json)
     output = output or beside(shot, "clean")
+    usd.require_apart((output,), (report, json))
     with terminal.busy() as say:
         told = pipeline.clean(
             shot,

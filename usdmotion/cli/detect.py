@@ -26,6 +26,7 @@ Kinds = Annotated[
 Minimum = Annotated[
     float | None, typer.Option(metavar="SECONDS", help="Drop contacts that last for less.")
 ]
+Edit = Annotated[str, typer.Option(metavar="PATH", help="Look at the skeleton of this edit only.")]
 Guides = Annotated[
     bool, typer.Option("--guides/--no-guides", help="Draw the contacts too, to look at.")
 ]
@@ -44,18 +45,17 @@ def detect(
     detector: DetectorName = "",
     option: Options = None,
     minimum: Minimum = None,
-    edit: Annotated[
-        str, typer.Option(metavar="PATH", help="Look at the skeleton of this edit only.")
-    ] = "",
+    edit: Edit = "",
     guides: Guides = True,
     json: Json = None,
     quiet: Quiet = False,
 ) -> None:
     """Find contacts, and write a layer over the shot that has them."""
-    from usdmotion import pipeline
+    from usdmotion import pipeline, usd
 
     terminal = Terminal.open(quiet=quiet, json=json)
     output = output or beside(shot, "contacts")
+    usd.require_apart((output,), (json,))
     with terminal.busy() as say:
         found = pipeline.detect(
             shot,

@@ -8,9 +8,10 @@ from usdmotion.terminal import Terminal, tables, to_json, write_text
 @app.command(epilog="Example: usdmotion inspect shot.usda --json -")
 def inspect(shot: Source, json: Json = None, quiet: Quiet = False) -> None:
     """Show what is on a stage, and every fault found."""
-    from usdmotion import pipeline
+    from usdmotion import pipeline, usd
 
     terminal = Terminal.open(quiet=quiet, json=json)
+    usd.require_apart((), (json,))
     found = pipeline.inspect(shot)
     if json is not None:
         write_text(to_json(found), json)

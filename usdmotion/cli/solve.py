@@ -42,10 +42,11 @@ def solve(
     quiet: Quiet = False,
 ) -> None:
     """Solve the edits of a stage and write the layer that puts the answer over it."""
-    from usdmotion import pipeline
+    from usdmotion import pipeline, usd
 
     terminal = Terminal.open(quiet=quiet, json=json)
     output = output or shot.with_name(f"{shot.stem}.edit.usda")
+    usd.require_apart((output, compose), (report, json))
     with terminal.busy() as say:
         told = pipeline.solve(
             shot,
@@ -63,7 +64,6 @@ def solve(
     terminal.note(*told.notes)
     if json is not None:
         write_text(told.to_json(), json)
-    written = (f"wrote {path}" for path in (output, compose, report) if path)
-    terminal.tell(*told.tables(), *written)
+    terminal.tell(*told.tables(), *(f"wrote {path}" for path in (output, compose, report) if path))
     if strict and not told.met:
         raise typer.Exit(3)

@@ -26,6 +26,7 @@ from usdmotion.usd.guides import author_contact_guides
 from usdmotion.usd.inspected import Inspection
 from usdmotion.usd.inspection import inspect
 from usdmotion.usd.new_stages import new_stage
+from usdmotion.usd.outputs import require_apart
 from usdmotion.usd.overlays import Overlay
 from usdmotion.usd.planting import author_keeping, author_passes, edits_of
 from usdmotion.usd.prop_authoring import author_mesh, author_prop
@@ -63,6 +64,7 @@ __all__ = [
     "read_outcomes",
     "read_searches",
     "read_stage",
+    "require_apart",
     "variant",
     "write",
     "write_capture",
