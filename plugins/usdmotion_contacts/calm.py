@@ -82,13 +82,27 @@ class Calm:
 
 
 def _without_spikes(places: Floats) -> Floats:
-    """Return the running median of three along each axis, (F, 3) to (F, 3)."""
+    """Return the running geometric median of three, (F, 3) to (F, 3).
+
+    That is the place with the least sum of distances to them, their Fermat point: one of them where
+    their triangle has 120° or more. A median along each axis depends on how the world is turned.
+    """
     if len(places) < 3:
         return places
-    before, here, after = places[:-2], places[1:-1], places[2:]
-    low, high = np.minimum(before, here), np.maximum(before, here)
-    inner = np.maximum(low, np.minimum(high, after))
-    return np.concatenate([inner[:1], inner, inner[-1:]])
+    three = np.stack([places[:-2], places[1:-1], places[2:]])
+    one, other = three[[1, 2, 0]] - three, three[[2, 0, 1]] - three
+    angles = np.arctan2(np.linalg.norm(np.cross(one, other), axis=2), np.sum(one * other, axis=2))
+    wide = angles >= np.radians(120.0)
+    across = np.linalg.norm(one - other, axis=2)
+    shares = np.where(wide.any(axis=0), wide, across / np.sin(angles + np.radians(60.0)))
+    total = shares.sum(axis=0)
+    middle = three[1] + np.divide(
+        np.sum(shares[..., None] * (three - three[1]), axis=0),
+        total[:, None],
+        out=np.zeros_like(three[1]),
+        where=total[:, None] > 0.0,
+    )
+    return np.concatenate([middle[:1], middle, middle[-1:]])
 
 
 def _window(times: Floats, noise: float) -> tuple[float, float]:

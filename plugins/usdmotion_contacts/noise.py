@@ -12,6 +12,9 @@ NUMERICAL_EPSILON = 1e-6
 FAR = 2.5
 """Outliers are farther from the rest than so many standard deviations."""
 
+EQUAL = 1e-6
+"""A limit is by this share more than what set it: that meets it wherever in the world it is."""
+
 
 def without_outliers(values: Floats, floor: float) -> Bools:
     """Return which values do not deviate from the others (2006, section 6.1).
@@ -33,8 +36,13 @@ def without_outliers(values: Floats, floor: float) -> Bools:
 
 
 def largest_noise(values: Floats, floor: float) -> float:
-    """Return the largest value that is no outlier; never less than what is numerical noise."""
-    return max(float(values[without_outliers(values, floor)].max(initial=0.0)), FAR * floor)
+    """Return the largest value that is no outlier, as a limit that this value meets.
+
+    It is never less than what is numerical noise. Where a motion is moved or turned as a whole the
+    last bits of all values change: a limit without slack would be met here, and not there.
+    """
+    largest = float(values[without_outliers(values, floor)].max(initial=0.0))
+    return (1.0 + EQUAL) * max(largest, FAR * floor)
 
 
 @kernel

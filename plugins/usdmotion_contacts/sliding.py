@@ -105,10 +105,11 @@ def strays(search: Search, template: Template) -> Floats:
     inside = search.times >= template.start - SLACK
     inside &= search.times <= template.end + SLACK
     places = search.translations[inside]
-    around = places - np.median(places, axis=0)
+    around = places - places[0]
+    around -= around.mean(axis=0)
     axes = np.linalg.svd(around, full_matrices=False)[2]
     across = axes[2:] if template.kind == "plane" else axes[1:]
-    return np.asarray(np.linalg.norm((places - places.mean(axis=0)) @ across.T, axis=1))
+    return np.asarray(np.linalg.norm(around @ across.T, axis=1))
 
 
 def _contact(
