@@ -114,8 +114,15 @@ def test_the_rest_of_the_motion_is_kept(folder, cleaned):
     before, after = (walked(folder / name, names) for name in ("skating.usda", "clean.usda"))
     assert np.linalg.norm(after - before, axis=-1).max() < 0.03
     (kept,) = cleaned.kept
-    assert kept.moved < 0.04
+    assert 0.0 < kept.moved_mean < kept.moved < 0.04
     assert kept.jerk_after < 1.2 * kept.jerk_before
+
+
+def test_it_is_said_where_no_frame_is_away_from_contacts(cleaned):
+    """A walker always stands: nothing is told of frames that are not there."""
+    (kept,) = cleaned.kept
+    assert kept.elsewhere is None and "no frame is more than 0.25 s away" in kept.sentence
+    assert json.loads(cleaned.to_json())["kept"][0]["elsewhere"] is None
 
 
 def test_cleaning_again_gives_the_same_bytes_of_motion(folder, cleaned, tmp_path):
@@ -250,5 +257,7 @@ def test_where_no_foot_stands_nothing_is_moved_and_it_is_said(folder, tmp_path):
     told = pipeline.clean(folder / "skating.usda", tmp_path / "clean.usda", joints=["Head"])
     assert told.feet == () and told.met
     assert told.tables()[0] == "no foot was found to stand"
+    (kept,) = told.kept
+    assert kept.elsewhere == kept.moved < 1e-5
     before, after = (walked(each) for each in (folder / "skating.usda", tmp_path / "clean.usda"))
     assert np.abs(after - before).max() < 1e-5

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,8 +12,9 @@ from usdmotion.asking import Asked
 from usdmotion.errors import SceneError
 from usdmotion.kernels import forward
 from usdmotion.plugins import host
-from usdmotion.report.contacts import DetectionReport
+from usdmotion.report.cautions import not_held, not_still
 from usdmotion.report.planting import FootReport, KeptReport, PlantingReport, Pose, feet_of, kept_of
+from usdmotion.report.verdict import EditReport
 from usdmotion.searching import search_over
 from usdmotion.solved import SolvedScene
 
@@ -61,13 +62,20 @@ def plant(
         raise error if named else SceneError(f"{shot}: {error}") from error
     scenes, cleanings = solved_scenes(read, say=say)
     told = (*read.warnings, *(each.sentence(path) for path, each in cleanings.items()))
-    notes = (*looked.notes, *told, *(note for each in scenes for note in each.notes))
+    edits = tuple(edit for solved in scenes for edit in solved.report().edits)
+    notes = (
+        *looked.notes,
+        *told,
+        *(note for each in scenes for note in each.notes),
+        *_cautions(read, edits),
+    )
     results = [result for solved in scenes for result in results_of(solved)]
     layer = overlay.stage.GetRootLayer()
     overlay.remember(**usd.put(layer, read, results, output.parent, notes))
     say(f"writing {output}")
     overlay.write()
-    return _told(read, scenes, looked, detections, notes)
+    feet, kept = _became(read, scenes, detections)
+    return PlantingReport(feet, kept, edits, looked.objects, notes)
 
 
 def _of_feet(overlay: Overlay, asked: Asked, detections: Sequence[str]) -> Asked:
@@ -105,13 +113,18 @@ def _asked_of(overlay: Overlay, detections: Sequence[str], wish: Wish) -> Shot:
     return read()
 
 
-def _told(
-    read: Shot,
-    scenes: Sequence[SolvedScene],
-    looked: DetectionReport,
-    detections: Sequence[str],
-    notes: Sequence[str],
-) -> PlantingReport:
+def _cautions(read: Shot, edits: Sequence[EditReport]) -> Iterator[str]:
+    """Yield what to look at: contacts that are not held, and those that hold what moves."""
+    for edit in edits:
+        yield from not_held(edit)
+    for scene in read.scenes:
+        for each in scene.edits:
+            yield from not_still(scene, each)
+
+
+def _became(
+    read: Shot, scenes: Sequence[SolvedScene], detections: Sequence[str]
+) -> tuple[tuple[FootReport, ...], tuple[KeptReport, ...]]:
     """Return what became of the feet of all scenes, and of the rest of their motions."""
     feet: list[FootReport] = []
     kept: list[KeptReport] = []
@@ -121,8 +134,7 @@ def _told(
             own = [path for path in detections if path.startswith(f"{edit.path}/")]
             feet += feet_of(scene, edit, pose, own)
             kept.append(kept_of(scene, edit, pose))
-    edits = tuple(edit for solved in scenes for edit in solved.report().edits)
-    return PlantingReport(tuple(feet), tuple(kept), edits, looked.objects, tuple(notes))
+    return tuple(feet), tuple(kept)
 
 
 def _pose(solved: SolvedScene) -> Pose:

@@ -16,7 +16,7 @@ from usdmotion.report.contacts import ObjectReport
 from usdmotion.report.verdict import EditReport
 from usdmotion.scene import Edit, Scene
 
-_AWAY = 0.25
+AWAY = 0.25
 """So long before and after every contact the motion is to be as it was [s]."""
 Pose = tuple[Floats, Floats]
 """World positions and orientations of all nodes on every frame."""
@@ -48,10 +48,13 @@ class KeptReport:
     """How much of a motion was kept; its fields are keys of the JSON."""
 
     edit: str
-    elsewhere: float
-    """Largest distance of a joint from where it was, farther than 0.25 s from any contact [m]."""
+    elsewhere: float | None
+    """Largest distance of a joint from where it was, farther than 0.25 s from any contact [m]; None
+    where no frame is, as in most walks."""
+    moved_mean: float
+    """Mean distance of all joints from where they were, over all frames [m]."""
     moved: float
-    """The largest anywhere [m]."""
+    """The largest [m]."""
     moved_joint: str
     moved_time: float
     """The time code of it."""
@@ -63,10 +66,16 @@ class KeptReport:
     @property
     def sentence(self) -> str:
         """What a person is told of it."""
+        if self.elsewhere is None:
+            away = f"no frame is more than {AWAY:g} s away from contacts"
+        else:
+            away = (
+                f"more than {AWAY:g} s away from contacts by {_millimetres(self.elsewhere)} at most"
+            )
         return (
-            f"<{self.edit}>: away from contacts joints moved by {self.elsewhere * 1e3:.2f} mm at "
-            f"most, anywhere {self.moved_joint.rsplit('/', 1)[-1]} most, by "
-            f"{self.moved * 1e3:.1f} mm at {self.moved_time:g}; jerk of the root "
+            f"<{self.edit}>: joints moved by {_millimetres(self.moved_mean)} on average, "
+            f"{self.moved_joint.rsplit('/', 1)[-1]} most, by {_millimetres(self.moved)} at "
+            f"{self.moved_time:g}; {away}; jerk of the root "
             f"{self.jerk_before:.0f} → {self.jerk_after:.0f} m/s³"
         )
 
@@ -111,6 +120,21 @@ class PlantingReport:
         return [table, *told]
 
 
+def slide_of(cast: Cast, contact: ContactConstraint, when: Bools, pose: Pose) -> float:
+    """Return how far what a contact holds is from its mean place at most [m].
+
+    Args:
+        cast: Whoever the contact holds.
+        contact: The contact.
+        when: The frames that count, at least one, shape (frame_count,).
+        pose: All nodes in the source, or in the result.
+    """
+    node = contact.node(cast)
+    point = contact.point[when] if contact.point.ndim > 1 else contact.point
+    places = world_points(pose[0][when, node], pose[1][when, node], point)
+    return float(np.linalg.norm(places - places.mean(axis=0), axis=1).max())
+
+
 def feet_of(
     scene: Scene, edit: Edit, solved: Pose, detections: Sequence[str]
 ) -> Iterator[FootReport]:
@@ -134,7 +158,7 @@ def feet_of(
         held = [(each, when) for each, when in held if when.any()]
         if held:
             before, after = (
-                np.array([_slide(cast, each, when, pose) for each, when in held])
+                np.array([slide_of(cast, each, when, pose) for each, when in held])
                 for pose in (source, solved)
             )
             yield FootReport(
@@ -162,7 +186,8 @@ def kept_of(scene: Scene, edit: Edit, solved: Pose) -> KeptReport:
     )
     return KeptReport(
         edit=edit.path,
-        elsewhere=float(apart[away].max(initial=0.0)),
+        elsewhere=float(apart[away].max()) if away.any() else None,
+        moved_mean=float(apart.mean()),
         moved=float(apart[frame, joint]),
         moved_joint=cast.joints[nodes[joint]][1],
         moved_time=float(scene.time_codes[frame]),
@@ -171,12 +196,8 @@ def kept_of(scene: Scene, edit: Edit, solved: Pose) -> KeptReport:
     )
 
 
-def _slide(cast: Cast, contact: ContactConstraint, when: Bools, pose: Pose) -> float:
-    """Return how far what a contact holds is from its mean place at most [m]."""
-    node = contact.node(cast)
-    point = contact.point[when] if contact.point.ndim > 1 else contact.point
-    places = world_points(pose[0][when, node], pose[1][when, node], point)
-    return float(np.linalg.norm(places - places.mean(axis=0), axis=1).max())
+def _millimetres(length: float) -> str:
+    return f"{length * 1e3:.2f} mm"
 
 
 def _away(times: Floats, edit: Edit) -> Bools:
@@ -185,7 +206,7 @@ def _away(times: Floats, edit: Edit) -> Bools:
     for each in edit.constraints:
         if isinstance(each, ContactConstraint) and each.times:
             first, last = (each.times[1], each.times[2]) if len(each.times) > 2 else each.times[:2]
-            away &= (times < first - _AWAY) | (times > last + _AWAY)
+            away &= (times < first - AWAY) | (times > last + AWAY)
     return away
 
 
