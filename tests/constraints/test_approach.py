@@ -4,15 +4,15 @@ import numpy as np
 import pytest
 
 from usdmotion.constraints import ContactConstraint, Space
-from usdmotion.constraints.approach import gone, turned
+from usdmotion.constraints.approach import FASTEST, gone, turned
 from usdmotion.kernels import from_vector, multiply, rotate, to_vector
 from usdmotion.testing import HUMANOID, humanoid_scene
 
 TIMES = np.linspace(0.0, 2.0, 241)
 KEYS = (0.4, 0.6, 1.2, 1.5)
 HELD = (TIMES >= KEYS[1] - 1e-9) & (TIMES <= KEYS[2] + 1e-9)
-COURSE = np.stack([np.sin(3.0 * TIMES), TIMES**2, np.cos(2.0 * TIMES)], axis=1)
-TURNS = from_vector(0.7 * COURSE)
+COURSE = 0.2 * np.stack([np.sin(3.0 * TIMES), TIMES**2, np.cos(2.0 * TIMES)], axis=1)
+TURNS = from_vector(3.5 * COURSE)
 
 
 def at(time):
@@ -41,7 +41,16 @@ def test_it_comes_to_rest_and_sets_off_from_rest():
     turning = np.abs(np.diff(to_vector(turned(TIMES, KEYS, TURNS)), axis=0)) / TIMES[1]
     for first in (at(KEYS[1]) - 1, at(KEYS[2])):
         assert steps[first].max() < 0.1 * speed[first].max()
-        assert turning[first].max() < 0.1 * speed[first].max()
+        assert turning[first].max() < 0.35 * speed[first].max()
+
+
+def test_a_jump_of_the_motion_is_nothing_to_slow_down_from():
+    jumping = COURSE + (TIMES < KEYS[1] - 1e-9)[:, None]
+    here = at(KEYS[1])
+    far = gone(TIMES, KEYS, jumping)
+    slowed = far[:here] - (jumping[:here] - jumping[here])
+    longest = FASTEST * (KEYS[1] - KEYS[0]) * 4.0 / 27.0
+    assert np.linalg.norm(slowed, axis=1).max() <= longest + 1e-9
 
 
 def test_what_rests_stays_where_it_is():

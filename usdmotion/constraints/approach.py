@@ -6,6 +6,11 @@ from usdmotion.arrays import Floats
 from usdmotion.curves import SLACK
 from usdmotion.kernels import conjugate, from_vector, multiply, slerp, to_vector
 
+FASTEST = 1.0
+"""Nothing that is held a moment later goes faster than this [m/s]."""
+FASTEST_TURN = 6.0
+"""Nor does it turn faster [rad/s]."""
+
 
 def gone(times: Floats, keys: tuple[float, ...], places: Floats) -> Floats:
     """Return how far a point may be from where a contact holds it.
@@ -25,7 +30,8 @@ def gone(times: Floats, keys: tuple[float, ...], places: Floats) -> Floats:
     for far_end, end, beside in _ends(times, keys):
         before, after, share = _between(times, end, far_end)
         step = places[after] - places[before]
-        lag = _lag(times[beside], far_end, end, times[after] - times[before])
+        gap = times[after] - times[before]
+        lag = _lag(times[beside], far_end, end, gap) * _share(step, gap, FASTEST)
         far[beside] = places[beside] - places[before] - share * step + lag[:, None] * step
     return far
 
@@ -49,7 +55,8 @@ def turned(times: Floats, keys: tuple[float, ...], turns: Floats) -> Floats:
         there = slerp(turns[before], turns[after], np.asarray(share))
         back = np.broadcast_to(conjugate(there), turns[beside].shape)
         step = to_vector(multiply(conjugate(turns[before]), turns[after]))
-        lag = _lag(times[beside], far_end, end, times[after] - times[before])
+        gap = times[after] - times[before]
+        lag = _lag(times[beside], far_end, end, gap) * _share(step, gap, FASTEST_TURN)
         away[beside] = multiply(from_vector(lag[:, None] * step), multiply(back, turns[beside]))
     return away
 
@@ -64,6 +71,11 @@ def _lag(times: Floats, far_end: float, end: float, gap: float) -> Floats:
         return np.zeros_like(times)
     s = np.clip((times - far_end) / (end - far_end), 0.0, 1.0)
     return np.asarray(s * s * (1.0 - s) * (end - far_end) / gap)
+
+
+def _share(step: Floats, gap: float, fastest: float) -> float:
+    """Return how much of a step is believed: a jump of the motion is nothing to slow down from."""
+    return min(1.0, fastest * gap / max(float(np.linalg.norm(step)), 1e-12))
 
 
 def _ends(times: Floats, keys: tuple[float, ...]) -> list[tuple[float, float, slice]]:

@@ -87,7 +87,7 @@ def test_a_neighbour_makes_room_for_what_somebody_lengthened(again):
     longer = "uniform timecode[] usdmotion:times = [9, 10, 20, 20]"
     _, stage = again(within(longer, "Contact02"))
     times = stage.GetPrimAtPath(f"{CONTACT}/Contact03").GetAttribute("usdmotion:times").Get()
-    assert [float(code) for code in times] == [20.5, 21, 24, 24]
+    assert [float(code) for code in times] == [21.5, 23, 24, 28.8]
 
 
 def test_what_somebody_made_stays_and_keeps_out_what_it_covers(again):

@@ -69,7 +69,7 @@ def test_a_contact_eases_for_a_fifth_of_a_second_or_half_the_free_time(shot, det
         for prim in contact_prims(opened().GetPrimAtPath(steps.detection))
     ]
     # 24 time codes a second: 4.8 are a fifth of one, and 5 are free between two stands.
-    assert times == [[1, 1, 6, 8.5], [8.5, 11, 16, 18.5], [18.5, 21, 24, 24]]
+    assert times == [[-3.8, 1, 6, 8.5], [8.5, 11, 16, 18.5], [18.5, 21, 24, 28.8]]
 
 
 @pytest.mark.parametrize("root", ["", TURNED, WALKING])

@@ -1,4 +1,4 @@
-"""The contacts of one object as they are after a detection: names, easing, what is written."""
+"""The contacts of one object as they are after a detection: names, what is written."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -12,12 +12,8 @@ from usdmotion.usd.detections.keeping import Interval, Known, State, settle
 from usdmotion.usd.detections.trajectories import Trajectory
 from usdmotion.usd.shot import Facts
 
-_EASED = 0.2
-"""How long a contact eases in and out at most [s]."""
 SAMPLE = 1e-6
 """Time codes this near to a sample's are that sample's."""
-_ON = ("detected", "template", "own")
-"""States of contacts that hold."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,10 +41,17 @@ class Entry:
     """Its rank among the constraints of its edit, if it is new."""
 
     @property
+    def held(self) -> Contact:
+        """What is held, of one of which that is known."""
+        contact = self.contact or self.there
+        assert contact is not None
+        return contact
+
+    @property
     def times(self) -> tuple[float, float, float, float]:
-        """Its four key times."""
+        """Its four key times; those of its easing as text keeps them."""
         start, end = self.interval.start, self.interval.end
-        return start - self.eased[0], start, end, end + self.eased[1]
+        return round(start - self.eased[0], 9), start, end, round(end + self.eased[1], 9)
 
 
 def entries_of(
@@ -95,7 +98,7 @@ def entries_of(
             )
     entries.sort(key=lambda entry: (entry.interval.start, entry.interval.end))
     named = _named(entries, [*names, *(each.name for each in known)])
-    return tuple(_eased(named, trajectory, facts)), tuple(notes)
+    return tuple(named), tuple(notes)
 
 
 def interval_of(contact: Contact, trajectory: Trajectory, facts: Facts) -> Interval:
@@ -163,21 +166,6 @@ def _numbers(taken: set[str]) -> Iterator[str]:
         number += 1
         if f"Contact{number:02d}" not in taken:
             yield f"Contact{number:02d}"
-
-
-def _eased(entries: Sequence[Entry], trajectory: Trajectory, facts: Facts) -> Iterator[Entry]:
-    """Yield contacts that ease within half the time that is free between them."""
-    codes, longest = trajectory.time_codes, _EASED * facts.time_codes_per_second
-    for entry in entries:
-        others = [each for each in entries if each is not entry and each.state in _ON]
-        start, end = entry.interval.start, entry.interval.end
-        before = [start - other.interval.end for other in others if other.interval.start < start]
-        after = [other.interval.start - end for other in others if other.interval.end > end]
-        room = (
-            min(longest, start - float(codes[0]), *(0.5 * gap for gap in before)),
-            min(longest, float(codes[-1]) - end, *(0.5 * gap for gap in after)),
-        )
-        yield replace(entry, eased=(max(room[0], 0.0), max(room[1], 0.0)))
 
 
 def _unconfirmed(known: Known) -> str:

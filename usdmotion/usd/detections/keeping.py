@@ -21,13 +21,18 @@ class Interval:
     start: float
     end: float
 
+    @property
+    def length(self) -> float:
+        """For how long it is, in time codes."""
+        return self.end - self.start
+
     def overlap(self, other: "Interval") -> float:
         """Return for how long both last; negative is how far they are apart."""
         return min(self.end, other.end) - max(self.start, other.start)
 
     def covers(self, other: "Interval") -> bool:
         """Tell whether both last together for more than half of the shorter one."""
-        shorter = min(self.end - self.start, other.end - other.start)
+        shorter = min(self.length, other.length)
         both = self.overlap(other)
         return both >= 0.0 and (both > 0.5 * shorter or shorter == 0.0)
 
