@@ -2,7 +2,7 @@
 
 import pytest
 
-from usdmotion.arguments import cutoff_of, frames_of, names_of, options_of, template_of
+from usdmotion.arguments import cutoff_of, duration_of, frames_of, names_of, options_of, template_of
 from usdmotion.asking import Example
 from usdmotion.errors import OptionError
 
@@ -32,6 +32,13 @@ def test_a_cutoff_is_a_frequency_or_none() -> None:
             cutoff_of(cutoff)
 
 
+def test_a_length_of_time_is_not_below_zero() -> None:
+    assert (duration_of(None, "--minimum"), duration_of(0.0, "--minimum")) == (None, 0.0)
+    for seconds in (-0.1, float("nan"), float("inf")):
+        with pytest.raises(OptionError, match=f"--minimum {seconds:g} is no length of time"):
+            duration_of(seconds, "--minimum")
+
+
 @pytest.mark.parametrize(
     ("text", "example"),
     [
@@ -55,3 +62,4 @@ def test_what_is_no_example_says_how_one_is_written(text: str) -> None:
 def test_names_are_separated_by_commas_or_said_one_after_another() -> None:
     assert names_of(["a, b", "c", ""]) == ("a", "b", "c")
     assert names_of(None) == ()
+    assert names_of([""]) == names_of([" , "]) == ("",)

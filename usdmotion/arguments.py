@@ -57,10 +57,29 @@ def cutoff_of(clean: float | None, flag: str = "--clean") -> float | None:
     return clean
 
 
+def duration_of(seconds: float | None, flag: str) -> float | None:
+    """Return a length of time [s].
+
+    Args:
+        seconds: What was written.
+        flag: The option that it was written for.
+
+    Raises:
+        OptionError: It is none.
+    """
+    if seconds is not None and not 0.0 <= seconds < float("inf"):
+        raise OptionError(f"{flag} {seconds:g} is no length of time; give seconds, such as 0.1")
+    return seconds
+
+
 def names_of(texts: Sequence[str] | None) -> tuple[str, ...]:
-    """Return names that are separated by commas, or said one after another."""
+    """Return names that are separated by commas, or said one after another.
+
+    Who names nothing in so many words gets the name "", which nothing has: whatever looks for it
+    tells which names there are.
+    """
     parts = (part.strip() for text in texts or () for part in text.split(","))
-    return tuple(part for part in parts if part)
+    return tuple(part for part in parts if part) or (("",) if texts else ())
 
 
 def template_of(text: str) -> Example:

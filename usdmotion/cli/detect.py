@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from usdmotion.arguments import beside, names_of, options_of, template_of
+from usdmotion.arguments import beside, duration_of, names_of, options_of, template_of
 from usdmotion.cli.application import app
 from usdmotion.cli.flags import DetectorName, Json, Options, Output, Quiet, Source, Templates
 from usdmotion.terminal import Terminal, write_text
@@ -66,7 +66,7 @@ def detect(
             templates=[template_of(text) for text in template or ()],
             detector=detector,
             options=options_of(option),
-            minimum=minimum,
+            minimum=duration_of(minimum, "--minimum"),
             edit=edit,
             guides=guides,
             say=say,
