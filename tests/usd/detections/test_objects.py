@@ -224,6 +224,14 @@ class TestExamples:
         detect(shot(), templates=[Example("foot", 2, 5, "line")])
         assert still.seen[-1].kinds == ("space", "line")
 
+    def test_an_example_of_what_is_not_looked_for_is_told_of(self, shot, detect):
+        examples = [Example("foot", 2, 5, "line"), Example("foot", 12, 15)]
+        notes = detect(shot(), templates=examples, kinds=["space"]).notes
+        (note,) = [each for each in notes if "not looked for" in each]
+        assert note.startswith("the example of 'foot' from 2 to 5 is of the kind 'line', which")
+        asked = detect(shot(), templates=examples, kinds=["space", "line"]).notes
+        assert not [each for each in asked if "not looked for" in each]
+
     def test_an_example_of_a_prop(self, shot, detect, still):
         detect(shot(more=BOX), templates=[Example("/Alone", 2, 5)])
         assert [search.name for search in still.seen] == ["/Alone"]

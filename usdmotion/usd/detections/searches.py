@@ -104,7 +104,7 @@ def _sought(
         templates=_templates(taken, place, trajectory, facts),
         **_settings(watched.detection, asked, trajectory, facts),
     )
-    notes = _notes(watched)
+    notes = (*_notes(watched), *_not_sought(taken, search))
     return Sought(search, detector, options, watched, place, trajectory, taken, asked, facts, notes)
 
 
@@ -231,6 +231,18 @@ def _unsolvable(watched: Watched) -> Iterator[str]:
             holder_of(watched.performer.prim)
     except SceneError as error:
         yield f"contacts are found, but cannot be solved as it is: {error}"
+
+
+def _not_sought(known: Sequence[Known], search: Search) -> Iterator[str]:
+    """Yield a sentence about each example of what is not looked for."""
+    for each in known:
+        held = each.interval
+        if each.state == "template" and held.kind not in search.kinds:
+            yield (
+                f"the example of '{search.name}' from {held.start:g} to {held.end:g} is of the "
+                f"kind '{held.kind}', which is not looked for; to find more of it add "
+                f"{held.kind} to --kinds, or to usdmotion:kinds"
+            )
 
 
 def _rivals(watched: Watched) -> Iterator[str]:
