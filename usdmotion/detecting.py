@@ -1,5 +1,6 @@
 """The contract between a motion and whatever finds what it already obeys."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import ClassVar, Protocol, runtime_checkable
 
@@ -129,6 +130,8 @@ class Detected:
     """The noise pattern that was used; None of a detector that knows none."""
     notes: tuple[str, ...] = ()
     """One sentence about each thing that had to be guessed or left out."""
+    left_out: Mapping[Template, str] = field(default_factory=dict)
+    """The templates of the search from which nothing was learnt, each with the reason."""
 
 
 @runtime_checkable

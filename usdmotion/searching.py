@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 from usdmotion.answering import Say
 from usdmotion.arrays import Floats
@@ -124,7 +124,7 @@ def _object(authored: Authored) -> ObjectReport:
         frames=len(codes),
         first=float(codes[0]),
         last=float(codes[-1]),
-        pattern=_pattern(sought, authored.found.detected),
+        pattern=_pattern(authored.found),
         contacts=tuple(_contact(sought.path, entry, rate) for entry in authored.entries),
     )
 
@@ -141,21 +141,14 @@ def _contact(path: str, entry: Entry, rate: float) -> ContactReport:
     )
 
 
-def _pattern(sought: Sought, detected: Detected) -> PatternReport | None:
-    pattern = detected.pattern
+def _pattern(found: Found) -> PatternReport | None:
+    pattern = found.detected.pattern
     if pattern is None:
         return None
-    times = sought.search.times
+    times = found.sought.search.times
     return PatternReport(
-        _giver(sought), _range(pattern.sigma, times), _range(pattern.epsilon, times)
+        found.given_by, _range(pattern.sigma, times), _range(pattern.epsilon, times)
     )
-
-
-def _giver(sought: Sought) -> Literal["templates", "prim", "estimate"]:
-    """Return where the noise pattern of a search is from: templates win over the prim."""
-    if sought.search.templates:
-        return "templates"
-    return "estimate" if sought.search.pattern is None else "prim"
 
 
 def _range(spline: Spline, times: Floats) -> tuple[float, float]:

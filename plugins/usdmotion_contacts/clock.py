@@ -40,15 +40,23 @@ def slowed(search: Search, clock: float) -> Search:
     )
 
 
-def restored(detected: Detected, clock: float, times: Floats) -> Detected:
+def restored(detected: Detected, clock: float, slow: Search, search: Search) -> Detected:
     """Return what was found in a slowed motion as of the motion itself, from sample to sample.
 
     What has fewer than two of its samples was found in what is between them, and is left out.
+
+    Args:
+        detected: What was found.
+        clock: At which share of its speed the motion was looked at.
+        slow: The search in the slowed motion.
+        search: The search that it was made of.
     """
-    contacts = [_restored(each, clock, times) for each in detected.contacts]
+    contacts = [_restored(each, clock, search.times) for each in detected.contacts]
     pattern = detected.pattern and _stretched(detected.pattern, clock)
     kept = tuple(each for each in contacts if each.start < each.end)
-    return Detected(kept, pattern, detected.notes)
+    pairs = zip(slow.templates, search.templates, strict=True)
+    left_out = {own: detected.left_out[each] for each, own in pairs if each in detected.left_out}
+    return Detected(kept, pattern, detected.notes, left_out)
 
 
 def _restored(contact: Contact, clock: float, times: Floats) -> Contact:

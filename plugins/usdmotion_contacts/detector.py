@@ -1,11 +1,11 @@
 """The detector as the host sees it (2006)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
 
-from usdmotion import Contact, Detected, NoisePattern, OptionError, Search, option
+from usdmotion import Contact, Detected, NoisePattern, OptionError, Search, Template, option
 from usdmotion_contacts.clock import restored, slowed
 from usdmotion_contacts.displacements import SLACK, displacements
 from usdmotion_contacts.estimate import estimate
@@ -63,13 +63,15 @@ class ContactDetector:
                     + ", ".join(KINDS)
                 )
         found = self._looked(search)
+        left_out = found.left_out
         for _ in range(self.rounds):
             found = self._looked(taught_by(search, found))
-        return found
+        return replace(found, left_out=left_out)
 
     def _looked(self, search: Search) -> Detected:
         if self.clock < 1.0 and len(search.times) > 1:
-            return restored(self._detected(slowed(search, self.clock)), self.clock, search.times)
+            slow = slowed(search, self.clock)
+            return restored(self._detected(slow), self.clock, slow, search)
         return self._detected(search)
 
     def _detected(self, search: Search) -> Detected:
@@ -78,8 +80,10 @@ class ContactDetector:
         if not points.displacements.count:
             step = points.displacements.step
             note = f"'{search.name}' has no two samples {step:g} s apart"
-            return Detected((), search.pattern, (note,))
-        pattern, notes = _pattern(search, points)
+            reason = f"it holds no step of {step:g} s"
+            left_out = dict.fromkeys(search.templates, reason)
+            return Detected((), search.pattern, (note,), left_out)
+        pattern, left_out = _pattern(search, points)
         contacts = []
         if {"line", "point"} & set(search.kinds):
             turned = _turns(search, points, pattern)
@@ -91,16 +95,19 @@ class ContactDetector:
                 epsilon = pattern.epsilon.at(search.times)
                 contacts += slides(search, points.displacements, kind, epsilon)
         contacts.sort(key=lambda each: (each.start, KINDS.index(each.kind)))
-        return Detected(tuple(contacts), pattern, tuple(notes))
+        return Detected(tuple(contacts), pattern, left_out=left_out)
 
 
-def _pattern(search: Search, points: SigmaEpsilon) -> tuple[NoisePattern, list[str]]:
-    """Return the noise pattern of the templates, else the one given, else an estimated one."""
-    noises, notes = taught(search, points)
+def _pattern(search: Search, points: SigmaEpsilon) -> tuple[NoisePattern, dict[Template, str]]:
+    """Return the noise pattern of the templates, else the one given, else an estimated one.
+
+    With it are the templates that say nothing, and why.
+    """
+    noises, left_out = taught(search, points)
     if is_taught(noises):
-        return pattern_of(noises, None), notes
+        return pattern_of(noises, None), left_out
     otherwise = search.pattern or estimate(search, points)
-    return (pattern_of(noises, otherwise) if noises else otherwise), notes
+    return (pattern_of(noises, otherwise) if noises else otherwise), left_out
 
 
 def _spaces(

@@ -38,7 +38,9 @@ class HeightAndSpeed:
         held = low_and_slow(search, self.height, self.speed)
         contacts = tuple(_contact(search, each) for each in _stretches(held))
         long = tuple(each for each in contacts if each.end - each.start >= search.minimum)
-        return Detected(long, notes=_notes(search))
+        reason = f"'{self.name}' learns from none"
+        left_out = dict.fromkeys(search.templates, reason)
+        return Detected(long, notes=_notes(search), left_out=left_out)
 
 
 def low_and_slow(search: Search, height: float, speed: float) -> Bools:

@@ -37,19 +37,16 @@ class Noise:
     """ε_max that it asks for [m]."""
 
 
-def taught(search: Search, points: SigmaEpsilon) -> tuple[list[Noise], list[str]]:
-    """Return what each template says, and a sentence about each that says nothing."""
-    noises, notes = [], []
+def taught(search: Search, points: SigmaEpsilon) -> tuple[list[Noise], dict[Template, str]]:
+    """Return what templates say, and those that say nothing, with the reason."""
+    noises, left_out = [], {}
     for template in search.templates:
         noise = _noise(search, points, template)
         if noise is not None:
             noises.append(noise)
-            continue
-        notes.append(
-            f"the template of '{search.name}' from {template.start:g} to {template.end:g} s is "
-            f"left out: it holds no step of {points.displacements.step:g} s"
-        )
-    return noises, notes
+        else:
+            left_out[template] = f"it holds no step of {points.displacements.step:g} s"
+    return noises, left_out
 
 
 def taught_by(search: Search, found: Detected) -> Search:

@@ -51,6 +51,11 @@ def test_a_ground_that_is_not_known_is_told_of(two_stances):
     assert "ground under foot" in note
 
 
+def test_nothing_is_learnt_from_examples(two_stances):
+    search = two_stances()
+    assert set(HeightAndSpeed().detect(search).left_out) == set(search.templates) != set()
+
+
 def test_a_foot_that_rolls_stands_on_the_end_that_rests():
     times = np.arange(60) / 60.0
     turn = Rotation.from_rotvec(np.outer(times, (0.0, 0.0, 1.5)))

@@ -95,6 +95,11 @@ def test_a_template_that_holds_no_step_is_told_of_and_left_out(detect, two_stanc
     templates = (Template("space", 0.1, 0.8), Template("space", 7.0, 8.0))
     found = detect(two_stances(templates=templates))
     assert len(found.contacts) == 2
-    assert found.notes == (
-        "the template of 'foot' from 7 to 8 s is left out: it holds no step of 0.02 s",
-    )
+    assert found.left_out == {templates[1]: "it holds no step of 0.02 s"}
+
+
+def test_the_template_that_is_left_out_is_the_one_that_was_given(detect, two_stances) -> None:
+    short = Template("space", 0.5, 0.5)
+    for options in ({"clock": 0.3}, {"rounds": 2}, {"clock": 0.3, "rounds": 1}):
+        found = detect(two_stances(templates=(Template("space", 0.1, 0.8), short)), **options)
+        assert list(found.left_out) == [short]

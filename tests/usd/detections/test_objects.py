@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from usdmotion import OptionError, SceneError
+from usdmotion import OptionError, SceneError, pipeline
 from usdmotion.asking import Example
 
 BOX = """
@@ -231,6 +231,32 @@ class TestExamples:
         assert note.startswith("the example of 'foot' from 2 to 5 is of the kind 'line', which")
         asked = detect(shot(), templates=examples, kinds=["space", "line"]).notes
         assert not [each for each in asked if "not looked for" in each]
+
+    def test_an_example_that_teaches_nothing_is_told_of_in_time_codes(self, shot, tmp_path, steps):
+        def found(*examples):
+            return pipeline.detect(
+                shot(), tmp_path / "out.usda", joints=["foot"], templates=examples
+            )
+
+        short, long = Example("foot", 12, 12), Example("foot", 11, 16)
+        report = found(short)
+        (note,) = [each for each in report.notes if "nothing is learnt" in each]
+        assert f"<{steps.detection}>: nothing is learnt from the example from 12 to 12" in note
+        assert report.objects[0].pattern.given_by == "estimate"
+        assert found(short, long).objects[0].pattern.given_by == "templates"
+
+    def test_a_pattern_of_the_stage_is_what_counts_where_an_example_teaches_nothing(
+        self, shot, tmp_path, over, steps
+    ):
+        pipeline.detect(shot(), tmp_path / "first.usda", joints=["foot"])
+        body = "double usdmotion:sigmaMax = 0.3\ndouble usdmotion:epsilonMax = 0.2"
+        for name in reversed(steps.detection.strip("/").split("/")):
+            body = f'over "{name}" {{\n{body}\n}}'
+        person = over("first.usda", body)
+        short = Example("foot", 12, 12)
+        report = pipeline.detect(person, tmp_path / "out.usda", templates=[short])
+        assert report.objects[0].pattern.given_by == "prim"
+        assert report.objects[0].pattern.sigma == pytest.approx((0.3, 0.3))
 
     def test_an_example_of_a_prop(self, shot, detect, still):
         detect(shot(more=BOX), templates=[Example("/Alone", 2, 5)])

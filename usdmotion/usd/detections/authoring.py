@@ -1,7 +1,8 @@
 """What was found, written on a stage: detections, their noise patterns, their contacts."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 from pxr import Sdf, Usd, UsdGeom, Vt
 
@@ -9,7 +10,7 @@ from usdmotion.detecting import Detected
 from usdmotion.usd.detections.agreeing import agreed
 from usdmotion.usd.detections.contact_authoring import author_contact, define_spec, drop, standing
 from usdmotion.usd.detections.contact_prims import WORLD, contact_prims, says_where
-from usdmotion.usd.detections.entries import Entry, entries_of
+from usdmotion.usd.detections.entries import Entry, entries_of, interval_of
 from usdmotion.usd.detections.frames import Frame, Frames
 from usdmotion.usd.detections.noise_patterns import author_pattern
 from usdmotion.usd.detections.searches import Sought
@@ -31,6 +32,14 @@ class Found:
     detected: Detected
     options: Mapping[str, bool | int | float | str]
     """All options that it ran with."""
+
+    @property
+    def given_by(self) -> Literal["templates", "prim", "estimate"]:
+        """Where the noise pattern is from: templates, if one was of use, win over the prim."""
+        search = self.sought.search
+        if any(each not in self.detected.left_out for each in search.templates):
+            return "templates"
+        return "estimate" if search.pattern is None else "prim"
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,7 +94,8 @@ def _settled(found: Found, frame: Frame) -> Authored:
         names=[prim.GetName() for prim in beside],
         placeless=[prim.GetName() for prim in there if not says_where(prim)],
     )
-    told = (f"<{sought.path}>: {note}" for note in (*found.detected.notes, *notes))
+    said = (*found.detected.notes, *_lessons(found), *notes)
+    told = (f"<{sought.path}>: {note}" for note in said)
     by_name = {prim.GetName(): prim for prim in there}
     whole = tuple(
         replace(each, there=standing(by_name[each.name], sought, each, frame))
@@ -94,6 +104,17 @@ def _settled(found: Found, frame: Frame) -> Authored:
         for each in entries
     )
     return Authored(found, whole, (*sought.notes, *told))
+
+
+def _lessons(found: Found) -> Iterator[str]:
+    """Yield a sentence about each example that has taught the detector nothing."""
+    sought = found.sought
+    for template, reason in found.detected.left_out.items():
+        held = interval_of(template, sought.trajectory, sought.facts)
+        yield (
+            f"nothing is learnt from the example from {held.start:g} to {held.end:g}, which is "
+            f"marked all the same: {reason}"
+        )
 
 
 def _author_detection(stage: Usd.Stage, layer: Sdf.Layer, found: Found) -> None:
@@ -158,16 +179,16 @@ def _is_on(stage: Usd.Stage, sought: Sought, entry: Entry) -> bool:
 
 
 def _author_pattern(stage: Usd.Stage, found: Found) -> None:
-    search, pattern = found.sought.search, found.detected.pattern
+    pattern = found.detected.pattern
     # One that somebody has given is his, and is not written over.
-    if pattern is None or (search.pattern is not None and not search.templates):
+    if pattern is None or found.given_by == "prim":
         return
     author_pattern(
         stage.GetPrimAtPath(found.sought.path),
         pattern,
         float(found.sought.trajectory.time_codes[0]),
         found.sought.facts,
-        estimated=not search.templates,
+        estimated=found.given_by == "estimate",
     )
 
 

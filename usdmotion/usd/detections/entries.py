@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.detecting import Contact
+from usdmotion.detecting import Contact, Template
 from usdmotion.kernels import conjugate, multiply, to_vector
 from usdmotion.usd.detections.keeping import Interval, Known, State, settle
 from usdmotion.usd.detections.trajectories import Trajectory
@@ -101,8 +101,8 @@ def entries_of(
     return tuple(named), tuple(notes)
 
 
-def interval_of(contact: Contact, trajectory: Trajectory, facts: Facts) -> Interval:
-    """Return when a contact holds, in time codes."""
+def interval_of(contact: Contact | Template, trajectory: Trajectory, facts: Facts) -> Interval:
+    """Return when a contact or an example holds, in time codes."""
     codes = trajectory.time_codes
     ends = []
     for seconds in (contact.start, contact.end):
