@@ -9,7 +9,7 @@ from usdmotion.report.planting import FootReport, KeptReport, PlantingReport
 from usdmotion.report.verdict import ConstraintReport, EditReport
 
 FOOT = FootReport("/Edit", "Hips/Leg/Foot", 3, 0.0104, 0.0, 0.0082, 0.00002)
-KEPT = KeptReport("/Edit", 0.0002, 0.0123, "Hips/Leg/Knee", 17.5, 40.2, 38.9)
+KEPT = KeptReport("/Edit", 0.0002, 0.0041, 0.0123, "Hips/Leg/Knee", 17.5, 40.2, 38.9)
 
 
 def edit(*met: bool) -> EditReport:
@@ -37,7 +37,8 @@ def test_a_row_says_how_far_a_joint_slid_before_and_after() -> None:
 
 def test_what_was_kept_is_a_sentence() -> None:
     said = " ".join(shown(PlantingReport((FOOT,), (KEPT,), (), ())).split())
-    assert "away from contacts joints moved by 0.20 mm at most, anywhere Knee most" in said
+    assert "moved by 4.10 mm on average, Knee most, by 12.30 mm at 17.5" in said
+    assert "away from contacts by 0.20 mm at most" in said
     assert "by 12.3 mm at 17.5; jerk of the root 40 → 39 m/s³" in said
 
 
