@@ -107,7 +107,11 @@ def read(mocap: Path, tmp_path_factory: pytest.TempPathFactory) -> Callable[...,
 
 @pytest.fixture(scope="session")
 def walking_around(read) -> list[Example]:
-    """Return the toes of somebody who walks in circles, as in section 8.2."""
+    """Return the toes of somebody who walks around, as in section 8.2.
+
+    Of the CMU clips one goes around, iclone/006_10, in six steps of each foot, on which toes slide
+    by two centimetres. This one is of about as many steps as the paper's.
+    """
     return [detected(each) for each in read("other/fair_zombie.bvh", TOES)]
 
 
@@ -119,7 +123,10 @@ def ladder(read) -> list[Example]:
 
 @pytest.fixture(scope="session")
 def hands(mocap: Path) -> list[Example]:
-    """Return the hands of somebody who climbs a wall, where section 8.4 has a break dance."""
+    """Return the hands of somebody who climbs a wall, where section 8.4 has a break dance.
+
+    One template for each hand: these are the two of the paper.
+    """
     clip = np.load(mocap / "contacts/parkour/mu02_PKLP.npz")
     joints, places = list(clip["joint_names"]), clip["positions"].astype(float)
     times = np.arange(len(places)) / float(clip["fps"])
