@@ -32,6 +32,7 @@ CHECKS = {check.__name__: check for check in SOLVER_CHECKS}
 
 @pytest.mark.parametrize("name", CHECKS)
 def test_our_solver_keeps_the_contract(name: str) -> None:
+    """A check asserts itself; that each can fail is what the spoiled solvers below are for."""
     CHECKS[name](host().solver("prioritized_ik")())
 
 

@@ -199,6 +199,8 @@ class Session:
         """
         from usdmotion import usd
 
+        if compose is not None:
+            usd.require_composable(self._shot, output, compose)  # before anything is written
         # Results are what has changed of the motions that were read, be these cleaned or not.
         pairs = zip(self._shot.scenes, self._scenes, strict=True)
         asked = (replace(solved.scene, characters=read.characters) for read, solved in pairs)

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from rich.console import Console
 from rich.table import Table
@@ -17,6 +17,23 @@ from usdmotion.errors import FileError
 
 _LISTED = 4
 """How much of a long list a table shows; JSON has all of it."""
+
+
+class Account(Protocol):
+    """What a verb has to tell in the end."""
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """One sentence about each thing that whoever asked should know."""
+        ...
+
+    def to_json(self) -> str:
+        """Return the machine-readable form."""
+        ...
+
+    def tables(self) -> Sequence[Table | str]:
+        """Return what people read."""
+        ...
 
 
 @dataclasses.dataclass(frozen=True)
@@ -48,6 +65,19 @@ class Terminal:
         """Show text or tables."""
         for each in shown:
             self.people.print(each)
+
+    def account(self, told: "Account", *written: str, json: str | None) -> None:
+        """Tell what a verb has to tell: its notes, its JSON where that is asked for, its tables.
+
+        Args:
+            told: What became of it.
+            written: A line about each thing that was written.
+            json: Where the JSON goes, "-" for stdout; None is nowhere.
+        """
+        self.note(*told.notes)
+        if json is not None:
+            write_text(told.to_json(), json)
+        self.tell(*told.tables(), *written)
 
 
 def _console(*, stderr: bool, quiet: bool) -> Console:

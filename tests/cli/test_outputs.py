@@ -67,6 +67,25 @@ def test_a_page_is_kept_off_layers_for_those_who_call_functions_too(arm: Path) -
     assert not output.exists()
 
 
+def is_let_through(layers: tuple[Path | None, ...], *documents: str | Path | None) -> bool:
+    try:
+        require_apart(layers, documents)
+    except FileError:
+        return False
+    return True
+
+
 def test_what_is_no_layer_and_has_its_own_place_is_let_through(tmp_path: Path) -> None:
     layer, page = tmp_path / "a.usda", tmp_path / "a.html"
-    require_apart((layer, None), (page, "-", None, tmp_path / "pictures", str(tmp_path / "a.json")))
+    pictures, json = tmp_path / "pictures", str(tmp_path / "a.json")
+    assert is_let_through((layer, None), page, "-", None, pictures, json)
+    assert not is_let_through((layer, None), page, "-", None, pictures, str(page))
+    assert not is_let_through((layer, layer), page, "-", None, pictures, json)
+
+
+def test_a_composed_stage_that_cannot_be_written_leaves_nothing_behind(arm: Path) -> None:
+    output, before = arm.with_name("a.usda"), arm.read_bytes()
+    with pytest.raises(FileError, match="arm"):
+        pipeline.solve(arm, output, compose=arm)
+    assert not output.exists()
+    assert arm.read_bytes() == before

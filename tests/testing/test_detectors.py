@@ -27,6 +27,7 @@ CHECKS = {check.__name__: check for check in DETECTOR_CHECKS}
 @pytest.mark.parametrize("detector", ["contacts", "height_and_speed"])
 @pytest.mark.parametrize("name", CHECKS)
 def test_our_detectors_keep_the_contract(name: str, detector: str) -> None:
+    """A check asserts itself; that each can fail is what the spoiled detectors below are for."""
     CHECKS[name](host().detector(detector)())
 
 

@@ -18,7 +18,7 @@ from usdmotion.cli.flags import (
     Strict,
     Templates,
 )
-from usdmotion.terminal import Terminal, write_text
+from usdmotion.terminal import Terminal
 
 Joints = Annotated[
     list[str] | None,
@@ -66,9 +66,6 @@ def clean(
             page=report,
             say=say,
         )
-    terminal.note(*told.notes)
-    if json is not None:
-        write_text(told.to_json(), json)
-    terminal.tell(*told.tables(), *(f"wrote {path}" for path in (output, report) if path))
+    terminal.account(told, *(f"wrote {path}" for path in (output, report) if path), json=json)
     if strict and not told.met:
         raise typer.Exit(3)

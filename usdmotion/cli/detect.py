@@ -7,7 +7,7 @@ import typer
 from usdmotion.arguments import beside, duration_of, names_of, options_of, template_of
 from usdmotion.cli.application import app
 from usdmotion.cli.flags import DetectorName, Json, Options, Output, Quiet, Source, Templates
-from usdmotion.terminal import Terminal, write_text
+from usdmotion.terminal import Terminal
 
 Joints = Annotated[
     list[str] | None,
@@ -71,7 +71,4 @@ def detect(
             guides=guides,
             say=say,
         )
-    terminal.note(*found.notes)
-    if json is not None:
-        write_text(found.to_json(), json)
-    terminal.tell(*found.tables(), f"wrote {output}: {found.count} contacts")
+    terminal.account(found, f"wrote {output}: {found.count} contacts", json=json)

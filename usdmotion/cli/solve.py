@@ -20,7 +20,7 @@ from usdmotion.cli.flags import (
     Source,
     Strict,
 )
-from usdmotion.terminal import Terminal, write_text
+from usdmotion.terminal import Terminal
 
 
 @app.command(
@@ -61,9 +61,8 @@ def solve(
             page=report,
             say=say,
         )
-    terminal.note(*told.notes)
-    if json is not None:
-        write_text(told.to_json(), json)
-    terminal.tell(*told.tables(), *(f"wrote {path}" for path in (output, compose, report) if path))
+    terminal.account(
+        told, *(f"wrote {path}" for path in (output, compose, report) if path), json=json
+    )
     if strict and not told.met:
         raise typer.Exit(3)

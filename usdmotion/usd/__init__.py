@@ -35,7 +35,7 @@ from usdmotion.usd.recordings import write_recording
 from usdmotion.usd.region_authoring import author_region
 from usdmotion.usd.shot import Result, Shot
 from usdmotion.usd.variants import variant
-from usdmotion.usd.writing import compose, put, write
+from usdmotion.usd.writing import compose, put, require_composable, write
 
 __all__ = [
     "Found",
@@ -65,6 +65,7 @@ __all__ = [
     "read_searches",
     "read_stage",
     "require_apart",
+    "require_composable",
     "variant",
     "write",
     "write_capture",

@@ -90,12 +90,20 @@ def compose(shot: Shot, edit_layer: Path, output: Path) -> None:
     Raises:
         FileError: It cannot be written there, or is a layer that was read.
     """
-    inputs = shot.layers | {os.path.realpath(edit_layer)}
-    require_writable(output, inputs)
+    require_composable(shot, edit_layer, output)
     paths = [relative(path, output.parent) for path in (edit_layer, shot.path)]
     layer = composed(shot.facts, paths)
     name_fallbacks(layer)
     save(layer, output)
+
+
+def require_composable(shot: Shot, edit_layer: Path, output: Path) -> None:
+    """Raise if a stage that shows a result over its shot cannot be written to a place.
+
+    Raises:
+        FileError: It cannot be written there, or is a layer that was read, or the result.
+    """
+    require_writable(output, shot.layers | {os.path.realpath(edit_layer)})
 
 
 def name_fallbacks(layer: Sdf.Layer) -> None:

@@ -18,9 +18,6 @@ PUBLISHED = {
     "hands only (8.4)": (380, 2, 19, 12.4, 25.7, 2.9),
 }
 """Frames, templates, contacts; displacements, noise pattern and detection of one object [ms]."""
-PATIENCE = 0.1
-"""What one frame of one object may take on any machine [ms]. In 2006 it took about as much, 34 ms
-for 400 frames; ours takes a hundredth of it, and would not if it grew with their square."""
 
 
 def least(call: Callable[[], object]) -> float:
@@ -61,7 +58,6 @@ def test_it_is_printed_with_ours_beside_it(walking_around, ladder, hands, tell) 
         # As many contacts as steps, not one a frame: within a factor of three of the paper's.
         each_second = contacts / len(examples) / examples[0].search.times[-1]
         assert 0.1 < each_second < 3.0
-        assert sum(mean) < PATIENCE * frames
     console = Console(width=120)
     with console.capture() as captured:
         console.print(table)
