@@ -50,11 +50,9 @@ class Spline:
         knot = np.clip(np.searchsorted(self.times, inside, "right") - 1, 0, len(self.times) - 2)
         length = self.times[knot + 1] - self.times[knot]
         s = (inside - self.times[knot]) / length
-        return np.asarray(
-            (1.0 + s * s * (2.0 * s - 3.0)) * self.values[knot]
-            + s * s * (3.0 - 2.0 * s) * self.values[knot + 1]
-            + s * (1.0 - s) ** 2 * length * self.slopes[knot]
-            + s * s * (s - 1.0) * length * self.slopes[knot + 1]
+        values, slopes = self.values, self.slopes
+        return _hermite(
+            s, length, (values[knot], values[knot + 1]), (slopes[knot], slopes[knot + 1])
         )
 
 
@@ -137,11 +135,19 @@ def kochanek_bartels(
     span = np.clip(np.searchsorted(knots, u, side="right") - 1, 0, len(knots) - 2)
     length = (knots[span + 1] - knots[span])[:, None]
     s = (u - knots[span])[:, None] / length
+    ends, slopes = (points[span], points[span + 1]), (leaving[span], arriving[span + 1])
+    return _hermite(s, length, ends, slopes)
+
+
+def _hermite(
+    s: Floats, length: Floats, ends: tuple[Floats, Floats], slopes: tuple[Floats, Floats]
+) -> Floats:
+    """Return cubics at a share s of their spans, from values and slopes at both ends of them."""
     return np.asarray(
-        (1.0 + s * s * (2.0 * s - 3.0)) * points[span]
-        + s * s * (3.0 - 2.0 * s) * points[span + 1]
-        + s * (1.0 - s) ** 2 * length * leaving[span]
-        + s * s * (s - 1.0) * length * arriving[span + 1]
+        (1.0 + s * s * (2.0 * s - 3.0)) * ends[0]
+        + s * s * (3.0 - 2.0 * s) * ends[1]
+        + s * (1.0 - s) ** 2 * length * slopes[0]
+        + s * s * (s - 1.0) * length * slopes[1]
     )
 
 

@@ -14,7 +14,7 @@ from usdmotion.detecting import Contact
 from usdmotion.kernels import rotate, world_points
 from usdmotion.usd.detections.easing import eased
 from usdmotion.usd.detections.entries import SAMPLE, Entry
-from usdmotion.usd.detections.links import Key, Link, held_ones, links_of
+from usdmotion.usd.detections.links import Key, Link, held_ones, links_of, offsets_of
 from usdmotion.usd.detections.searches import Sought
 
 if TYPE_CHECKING:
@@ -31,7 +31,8 @@ def agreed(authored: Sequence["Authored"]) -> tuple["Authored", ...]:
     Args:
         authored: What has become of the contacts of each object.
     """
-    links = list(links_of(authored))
+    offsets = offsets_of(authored)
+    links = list(links_of(authored, offsets))
     entries = {(o, e): entry for o, each in enumerate(authored) for e, entry in held_ones(each)}
     given = [key for key, entry in entries.items() if entry.contact is None]
     longest = sorted(entries, key=lambda key: entries[key].interval.length, reverse=True)
@@ -39,7 +40,7 @@ def agreed(authored: Sequence["Authored"]) -> tuple["Authored", ...]:
     for key in (*given, *longest):
         if key in given or key not in settled:
             _spread(key, links, entries, settled)
-    entries = eased(authored, entries, links)
+    entries = eased(authored, entries, links, offsets)
     low = {link.frame for link in links}
     for key, entry in entries.items():
         before = authored[key[0]]

@@ -13,7 +13,7 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.kernels import rotate
 from usdmotion.usd.detections.entries import SAMPLE, Entry
-from usdmotion.usd.detections.links import Key, Link, offset_of
+from usdmotion.usd.detections.links import Key, Link, Offsets
 from usdmotion.usd.detections.searches import Sought
 
 if TYPE_CHECKING:
@@ -31,7 +31,9 @@ _ON = ("detected", "template", "own")
 Entries = dict[Key, Entry]
 
 
-def eased(authored: Sequence["Authored"], entries: Entries, links: Sequence[Link]) -> Entries:
+def eased(
+    authored: Sequence["Authored"], entries: Entries, links: Sequence[Link], offsets: Offsets
+) -> Entries:
     """Return contacts with the times in which they ease.
 
     Those of one joint, and of joints that are rigidly connected, that follow each other begin and
@@ -42,15 +44,16 @@ def eased(authored: Sequence["Authored"], entries: Entries, links: Sequence[Link
         authored: What has become of the contacts of each object.
         entries: The contacts of which it is known what they hold.
         links: Those that hold together.
+        offsets: The objects that carry each other.
     """
     result = {(o, e): entry for o, each in enumerate(authored) for e, entry in _on(each)} | entries
     together = {(link.frame, link.carried) for link in links}
-    for before, after in _neighbours(authored, result):
+    for before, after in _neighbours(authored, result, offsets):
         _part(before, after, authored, result)
     for link in links:
         result[link.carried] = _reaching(result[link.carried], result[link.frame])
     room = {key: [_longest(authored, key)] * 2 for key in result}
-    for before, after in _neighbours(authored, result):
+    for before, after in _neighbours(authored, result, offsets):
         if (before, after) in together or (after, before) in together:
             continue
         half = 0.5 * (result[after].interval.start - result[before].interval.end)
@@ -73,27 +76,22 @@ def _longest(authored: Sequence["Authored"], key: Key) -> float:
     return _EASED * authored[key[0]].found.sought.facts.time_codes_per_second
 
 
-def _neighbours(authored: Sequence["Authored"], entries: Entries) -> list[tuple[Key, Key]]:
+def _neighbours(
+    authored: Sequence["Authored"], entries: Entries, offsets: Offsets
+) -> list[tuple[Key, Key]]:
     """Return each two contacts of one rigid piece of a body that follow each other soon."""
-    soughts = [each.found.sought for each in authored]
-    connected = {
-        (one, other)
-        for one in range(len(soughts))
-        for other in range(len(soughts))
-        if one == other or offset_of(soughts[one], soughts[other]) is not None
-    }
     found = []
     for before, one in entries.items():
         soon = one.interval.end + 2.0 * _longest(authored, before)
         for after, other in entries.items():
             follows = one.interval.end < other.interval.start + SAMPLE <= soon
-            if follows and before != after and _is_one(before[0], after[0], connected):
+            if follows and before != after and _is_one(before[0], after[0], offsets):
                 found.append((before, after))
     return found
 
 
-def _is_one(one: int, other: int, connected: set[tuple[int, int]]) -> bool:
-    return (one, other) in connected or (other, one) in connected
+def _is_one(one: int, other: int, offsets: Offsets) -> bool:
+    return one == other or (one, other) in offsets or (other, one) in offsets
 
 
 def _part(before: Key, after: Key, authored: Sequence["Authored"], entries: Entries) -> None:

@@ -21,6 +21,8 @@ _ORIGIN = 1e-9
 
 Key = tuple[int, int]
 """Index of the object, and of its entry."""
+Offsets = dict[tuple[int, int], Floats]
+"""Where a joint is in the frame of one that carries it [m], by the indices of both objects."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,20 +42,27 @@ def held_ones(authored: "Authored") -> Iterator[tuple[int, Entry]]:
             yield index, entry
 
 
-def links_of(authored: Sequence["Authored"]) -> Iterator[Link]:
-    """Yield the contacts that hold together."""
-    for above, carrier in enumerate(authored):
-        for below, other in enumerate(authored):
-            offset = offset_of(carrier.found.sought, other.found.sought)
-            if offset is None:
-                continue
-            for upper, frame in held_ones(carrier):
-                for lower, carried in held_ones(other):
-                    if _holds(frame, carried):
-                        yield Link((above, upper), (below, lower), offset)
+def offsets_of(authored: Sequence["Authored"]) -> Offsets:
+    """Return which objects carry which others rigidly, by their indices, and where they are."""
+    soughts = [each.found.sought for each in authored]
+    found = {
+        (above, below): _offset(soughts[above], soughts[below])
+        for above in range(len(soughts))
+        for below in range(len(soughts))
+    }
+    return {pair: offset for pair, offset in found.items() if offset is not None}
 
 
-def offset_of(above: Sought, below: Sought) -> Floats | None:
+def links_of(authored: Sequence["Authored"], offsets: Offsets) -> Iterator[Link]:
+    """Yield the contacts that hold together, of objects that carry each other."""
+    for (above, below), offset in offsets.items():
+        for upper, frame in held_ones(authored[above]):
+            for lower, carried in held_ones(authored[below]):
+                if _holds(frame, carried):
+                    yield Link((above, upper), (below, lower), offset)
+
+
+def _offset(above: Sought, below: Sought) -> Floats | None:
     """Return where a joint is in the frame of one above it, None where that changes or is none."""
     same = above.watched.performer is below.watched.performer is not None
     if not same or not below.watched.joint.startswith(f"{above.watched.joint}/"):
