@@ -3,8 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from usdmotion.arrays import Bools, Floats, Ints, seal
 from usdmotion.errors import SceneError
@@ -73,6 +75,10 @@ class Cast:
     """Rest orientation in the parent's frame, xyzw, shape (node_count, 4)."""
     stiffness: Floats
     """Resistance in 0..1, shape (node_count,)."""
+    priorities: Ints
+    """Which joint of a chain moves first, the lower number, shape (node_count,)."""
+    parts: tuple[str, ...]
+    """H-Anim name of each node, "" for none, or where that is not sure."""
 
     @classmethod
     def of(cls, characters: Sequence[Character]) -> "Cast":
@@ -94,7 +100,7 @@ class Cast:
             joints += [(character.path, token) for token in ("", *character.skeleton.joints)]
             parents += [np.array([-1]), character.skeleton.parents + 1 + start]
 
-        def pile(name: str, space: Floats) -> Floats:
+        def pile(name: str, space: NDArray[Any]) -> NDArray[Any]:
             each = [(space, getattr(character.body, name)) for character in characters]
             return np.concatenate([part for pair in each for part in pair])
 
@@ -115,6 +121,8 @@ class Cast:
                 [part for each in characters for part in (identity, each.skeleton.rest_rotations)]
             ),
             stiffness=pile("stiffness", np.zeros(1)),
+            priorities=pile("priorities", np.zeros(1, dtype=np.int64)),
+            parts=tuple(part for each in characters for part in ("", *_parts(each))),
         )
 
     def during(self, frames: slice) -> "Cast":
@@ -202,6 +210,12 @@ class Cast:
             chain.append(node)
             node = int(self.parents[node])
         return tuple(chain)
+
+
+def _parts(character: Character) -> tuple[str, ...]:
+    if character.parts is None:
+        return ("",) * len(character.skeleton.joints)
+    return character.parts.parts
 
 
 def _per_frame(characters: Sequence[Character], name: str) -> Floats:

@@ -1,6 +1,6 @@
 """A skeleton, the body around it, and its motion: plain values, lengths in metres."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -64,6 +64,9 @@ class Body:
     """Upper limit of the same [degrees]; ±inf is free."""
     stiffness: Floats
     """Resistance of each joint in 0..1, shape (joint_count,): 0 moves freely, 1 not at all."""
+    priorities: Ints = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
+    """Which joint of a chain moves first, shape (joint_count,): the lower number; of equal ones the
+    farther one from the root. None given are all equal."""
 
     def __post_init__(self) -> None:
         count = len(self.masses)
@@ -74,6 +77,12 @@ class Body:
             limits_min=seal(self.limits_min, count, 3, name="limits_min"),
             limits_max=seal(self.limits_max, count, 3, name="limits_max"),
             stiffness=seal(self.stiffness, count, name="stiffness"),
+            priorities=seal(
+                self.priorities if len(self.priorities) else np.zeros(count),
+                count,
+                dtype=np.int64,
+                name="priorities",
+            ),
         )
         ordered = self.limits_min <= self.limits_max
         turns = (self.limits_min <= 360.0) & (self.limits_max >= -360.0)

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import ClassVar, Protocol, runtime_checkable
+from typing import ClassVar, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -101,6 +101,52 @@ class Solver(Protocol):
         Nodes that no active task recruits keep the input, but for limits of joints, which a solver
         may keep on every frame of those that any task recruits; the host says where it does not.
         A target out of reach is no error.
+        """
+        ...
+
+
+class Pose(NamedTuple):
+    """The transforms of all nodes on one frame."""
+
+    translations: Floats
+    """Position in the parent's frame [m], shape (node_count, 3)."""
+    rotations: Floats
+    """Orientation in the parent's frame, unit xyzw, shape (node_count, 4)."""
+
+
+class Performance(Protocol):
+    """A solve that goes on frame by frame, forward only, while what is asked changes.
+
+    Write what comes into `table` and `input`, and step; `output` is the answer. All three stay the
+    same arrays from frame to frame, and a step allocates nothing.
+    """
+
+    table: TaskTable
+    """What is asked of the coming frame: one frame of the problem's table, in arrays to be written
+    to. Which tasks there are, whom they move and in which order they rank stays as it was."""
+    input: Pose
+    """Where the input motion is on the coming frame, to be written to."""
+    output: Pose
+    """The solved pose of the frame that was stepped to last, to be read."""
+
+    def step(self) -> None:
+        """Solve the coming frame.
+
+        A target in the frame of another character's joint is where that joint is now: characters
+        that look at each other are solved one after the other on the same frame.
+        """
+        ...
+
+
+@runtime_checkable
+class Live(Solver, Protocol):
+    """A solver that can also be stepped: a door for games, and for who drags a goal (2005)."""
+
+    def start(self, problem: Problem) -> Performance:
+        """Return a performance whose first step is the first frame of a problem.
+
+        Stepped through all frames of the problem, with its table and its input, it gives what
+        `solve` gives, to the last bit.
         """
         ...
 

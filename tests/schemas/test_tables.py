@@ -150,14 +150,19 @@ SCHEMAS = {
         uniform token[] limbs []
         quatf[] limbFrames []
         double[] limbLengths []
+        double[] limbTwists []
         uniform token[] segments []
         quatf[] segmentRotations []
         point3f[] spine []
         point3f rootPosition (0,0,0)
         quatf rootHeading (1,0,0,0)
         quatf rootOrientation (1,0,0,0)
+        uniform token[] carriers []
+        double[] carrierShares []
         uniform token[] extraJoints []
         quatf[] extraRotations []
+        uniform token[] offsetJoints []
+        vector3f[] offsets []
         """,
     ),
     "MotionSkeletonAPI": (
@@ -169,6 +174,7 @@ SCHEMAS = {
         uniform float3[] limitsMin []
         uniform float3[] limitsMax []
         uniform float[] stiffness []
+        uniform int[] priorities []
         """,
     ),
     "MotionResultAPI": (

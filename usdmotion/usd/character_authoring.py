@@ -112,6 +112,7 @@ def _author_body(prim: Usd.Prim, body: Body, parts: Sequence[str], unit: float) 
         "limitsMin": _vectors(body.limits_min) if np.isfinite(body.limits_min).any() else None,
         "limitsMax": _vectors(body.limits_max) if np.isfinite(body.limits_max).any() else None,
         "stiffness": _floats(body.stiffness) if body.stiffness.any() else None,
+        "priorities": Vt.IntArray(body.priorities.tolist()) if body.priorities.any() else None,
     }
     for name, value in known.items():
         if value is not None:

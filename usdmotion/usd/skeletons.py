@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from pxr import Usd, UsdSkel
 
 from usdmotion.arrays import Floats, Ints
@@ -67,7 +68,7 @@ def read_body(prim: Usd.Prim, joints: Joints, units: Floats) -> Body:
     if joints.rest is None and any(limit is not None for limit in limits):
         raise SceneError(f"{joints.rest_fault}, because joint limits are measured from them")
 
-    def either(name: str, default: Floats) -> Floats:
+    def either(name: str, default: NDArray[Any]) -> NDArray[Any]:
         found = _authored(prim, name)
         return default if found is None else found
 
@@ -77,6 +78,7 @@ def read_body(prim: Usd.Prim, joints: Joints, units: Floats) -> Body:
         limits_min=either("limitsMin", unknown.limits_min),
         limits_max=either("limitsMax", unknown.limits_max),
         stiffness=either("stiffness", unknown.stiffness),
+        priorities=either("priorities", unknown.priorities).astype(np.int64),
     )
 
 

@@ -8,7 +8,15 @@ from pxr import Usd
 from usdmotion.usd.faults.fault import Fault, error
 from usdmotion.usd.relations import joints_of, mistyped, value
 
-PARALLEL_TO_JOINTS = ("parts", "masses", "massCenters", "limitsMin", "limitsMax", "stiffness")
+PARALLEL_TO_JOINTS = (
+    "parts",
+    "masses",
+    "massCenters",
+    "limitsMin",
+    "limitsMax",
+    "stiffness",
+    "priorities",
+)
 """Arrays of MotionSkeletonAPI, without their namespace."""
 
 PARALLEL = {
@@ -21,6 +29,8 @@ PARALLEL = {
     "usdmotion:limbFrames": "usdmotion:limbs",
     "usdmotion:limbLengths": "usdmotion:limbs",
     "usdmotion:segmentRotations": "usdmotion:segments",
+    "usdmotion:carrierShares": "usdmotion:carriers",
+    "usdmotion:offsets": "usdmotion:offsetJoints",
     "usdmotion:extraRotations": "usdmotion:extraJoints",
 }
 """Arrays of other prims and what each runs parallel to."""
