@@ -156,6 +156,10 @@ BROKEN = {
     "classes": (solver("class Mine: name = 'mine'", "Mine"), "which is not a list"),
     "nameless": (solver("class Mine:\n def solve(self, problem): ..."), "needs a `name`"),
     "mute": (solver("class Mine: name = 'mine'"), "has no method `solve`"),
+    "startled": (
+        solver("class Mine:\n name = 'mine'\n start = 1.0\n def solve(self, problem): ..."),
+        "has a `start` that is no method",
+    ),
     "demanding": (
         solver(
             "class Mine:\n name = 'mine'\n def __init__(self, x): ...\n def solve(self, p): ..."

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from usdmotion.recording import Reader, Recording
     from usdmotion.scene import Edit, Scene
     from usdmotion.session import Session
-    from usdmotion.solving import Problem, Solution, Solver
+    from usdmotion.solving import Live, Performance, Pose, Problem, Solution, Solver, cue
     from usdmotion.tasks import (
         AimTask,
         Axes,
@@ -76,14 +76,17 @@ __all__ = [
     "InputError",
     "Ints",
     "Joint",
+    "Live",
     "Markers",
     "Motion",
     "NoisePattern",
     "OptionError",
     "OrientationConstraint",
+    "Performance",
     "Placement",
     "PluginError",
     "PointTask",
+    "Pose",
     "PositionConstraint",
     "Problem",
     "Reader",
@@ -105,6 +108,7 @@ __all__ = [
     "composite_point",
     "composite_turn",
     "configured",
+    "cue",
     "detect",
     "ease",
     "hookimpl",

@@ -11,6 +11,12 @@ from usdmotion.options import options
 def check_solver_kind(solver: object) -> None:
     """Raise PluginError unless this is a solver class with sound options."""
     _check_class(solver, "solver", "solve")
+    start = getattr(solver, "start", None)
+    if start is not None and not callable(start):
+        raise PluginError(
+            f"its solver '{getattr(solver, 'name', '')}' has a `start` that is no method; "
+            "make it one that returns a Performance, or give it another name"
+        )
 
 
 def check_detector_kind(detector: object) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from usdmotion.arrays import Bools, Floats, Ints, seal
 from usdmotion.cast import Cast
-from usdmotion.kernels import TaskTable
+from usdmotion.kernels import OVER_FRAMES, TaskTable
 from usdmotion.scene import Scene
 from usdmotion.tasks import tabulate
 
@@ -118,16 +118,28 @@ class Performance(Protocol):
     """A solve that goes on frame by frame, forward only, while what is asked changes.
 
     Write what comes into `table` and `input`, and step; `output` is the answer. All three stay the
-    same arrays from frame to frame, and a step allocates nothing.
+    same arrays from frame to frame, are nobody else's, and a step allocates no others. What is not
+    written stays as it was on the frame before; at the start it is the problem's first frame.
     """
 
-    table: TaskTable
-    """What is asked of the coming frame: one frame of the problem's table, in arrays to be written
-    to. Which tasks there are, whom they move and in which order they rank stays as it was."""
-    input: Pose
-    """Where the input motion is on the coming frame, to be written to."""
-    output: Pose
-    """The solved pose of the frame that was stepped to last, to be read."""
+    @property
+    def table(self) -> TaskTable:
+        """What is asked of the coming frame: one frame of the problem's table, to be written to.
+
+        Targets, weights and activities may change, as may every other column of `OVER_FRAMES`.
+        Which tasks there are, whom they move and in which order they rank stays as it was.
+        """
+        ...
+
+    @property
+    def input(self) -> Pose:
+        """Where the input motion is on the coming frame, to be written to."""
+        ...
+
+    @property
+    def output(self) -> Pose:
+        """The solved pose of the frame that was stepped to last, to be read."""
+        ...
 
     def step(self) -> None:
         """Solve the coming frame.
@@ -140,15 +152,27 @@ class Performance(Protocol):
 
 @runtime_checkable
 class Live(Solver, Protocol):
-    """A solver that can also be stepped: a door for games, and for who drags a goal (2005)."""
+    """A solver that can also be stepped: a door for games, and for who drags a goal (2005).
+
+    Its options hold for its performances as well. One that is called `threads`, how many may work
+    at a time, changes nothing about the answer.
+    """
 
     def start(self, problem: Problem) -> Performance:
         """Return a performance whose first step is the first frame of a problem.
 
         Stepped through all frames of the problem, with its table and its input, it gives what
-        `solve` gives, to the last bit.
+        `solve` gives, to the last bit. Of later frames it is not to know anything.
         """
         ...
+
+
+def cue(performance: Performance, problem: Problem, frame: int) -> None:
+    """Write what a problem asks on one of its frames, and its input there, into a performance."""
+    for name in OVER_FRAMES:
+        np.copyto(getattr(performance.table, name)[0], getattr(problem.table, name)[frame])
+    np.copyto(performance.input.translations, problem.cast.translations[frame])
+    np.copyto(performance.input.rotations, problem.cast.rotations[frame])
 
 
 def resumes(solver: Solver) -> bool:

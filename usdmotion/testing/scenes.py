@@ -1,4 +1,4 @@
-"""Small scenes that need no USD: an arm, and a humanoid that shifts its weight."""
+"""Small scenes that need no USD: an arm, a humanoid that shifts its weight, and a crowd of them."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -60,6 +60,40 @@ def arm_scene(constraints: Sequence[Constraint] = (), *, frame_count: int = 12) 
 def humanoid_scene(constraints: Sequence[Constraint] = (), *, frame_count: int = 24) -> Scene:
     """Return a scene of a humanoid of 16 joints with masses, at 24 frames per second."""
     return _scene(HUMANOID, _HUMANOID_JOINTS, constraints, frame_count)
+
+
+def crowd_scene(
+    constraints: Sequence[Constraint] = (), *, count: int = 2, frame_count: int = 24
+) -> Scene:
+    """Return a scene of humanoids in pairs, half a metre apart, who look at each other.
+
+    Args:
+        constraints: What is asked, each of the humanoid that its `skeleton` names.
+        count: How many they are; their paths are `member(0)`, `member(1)`, …
+        frame_count: At 24 frames per second.
+    """
+    (alone,) = humanoid_scene(frame_count=frame_count).characters
+    round_about = np.array([0.0, 1.0, 0.0, 0.0])
+    characters, edits = [], []
+    for index in range(count):
+        place = Placement.identity(frame_count)
+        if index % 2:
+            place = Placement(
+                np.tile((0.0, 0.0, 0.5), (frame_count, 1)), np.tile(round_about, (frame_count, 1))
+            )
+        aside = np.array([2.0 * (index // 2), 0.0, 0.0])
+        place = Placement(place.translations + aside, place.rotations)
+        path = member(index)
+        characters.append(replace(alone, path=path, placement=place))
+        own = tuple(each for each in constraints if each.skeleton == path)
+        edits.append(Edit(f"{path}/Edit", path, own))
+    codes = np.arange(1.0, frame_count + 1.0)
+    return Scene(tuple(characters), tuple(edits), codes, np.array([0.0, 1.0, 0.0]))
+
+
+def member(index: int) -> str:
+    """Return the path of a skeleton of `crowd_scene`; the first is `HUMANOID`."""
+    return f"{HUMANOID}{index or ''}"
 
 
 def posed(scene: Scene, turns: Mapping[str, tuple[float, float, float]]) -> tuple[Floats, Floats]:

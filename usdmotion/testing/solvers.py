@@ -12,6 +12,7 @@ from usdmotion.contract import check_solver_kind
 from usdmotion.kernels import conjugate, forward, from_vector, multiply, residuals, to_vector
 from usdmotion.scene import Scene
 from usdmotion.solving import STOPS, Problem, Solution, Solver
+from usdmotion.testing.live import check_live
 from usdmotion.testing.resuming import check_resuming
 from usdmotion.testing.scenes import ARM, HUMANOID, arm_scene, humanoid_scene, moved, posed
 from usdmotion.testing.settings import check_limits
@@ -186,6 +187,7 @@ SOLVER_CHECKS: tuple[Callable[[Solver], None], ...] = (
     check_world,
     check_order_of_constraints,
     check_resuming,
+    check_live,
 )
 """The contract, one promise each; to parametrize a test with."""
 
