@@ -12,7 +12,8 @@ is chosen by eye: the heights of the vertebrae and of the skull's base, the join
 girdle, the place of the ankle and of the ball along the foot.
 """
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -33,6 +34,48 @@ _BALL_HEIGHT = 0.012
 _HEEL_BACK = 0.0375
 _BALL_AHEAD = 0.0715
 _TOE_LENGTH = 0.043
+_KINDS = {
+    "shoulder": ("Shoulder",),
+    "arm": ("Arm", "Hand"),
+    "leg": ("Leg",),
+    "foot": ("Foot", "Toe"),
+    "head": ("Neck", "Head"),
+}
+_ANKLES = ("l_talocrural", "r_talocrural")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Proportions:
+    """How somebody differs from the usual body of the same height; 1 is the usual."""
+
+    legs: float = 1.0
+    """Length of thighs and shanks."""
+    arms: float = 1.0
+    """Length of upper arms, forearms and hands."""
+    trunk: float = 1.0
+    """Length from the hips to the neck."""
+    width: float = 1.0
+    """Width of hips and shoulders."""
+    feet: float = 1.0
+    """Length and height of the feet."""
+    head: float = 1.0
+    """Size of neck and head."""
+
+    def of(self, kind: str) -> Floats:
+        """Return the factors of a kind of segment along x, y and z, shape (3,)."""
+        factors: dict[str, float | tuple[float, float, float]] = {
+            "trunk": (self.width, self.trunk, 1.0),
+            "shoulder": self.width,
+            "arm": self.arms,
+            "leg": self.legs,
+            "foot": self.feet,
+            "head": self.head,
+        }
+        return np.asarray(np.broadcast_to(factors[kind], 3))
+
+
+USUAL = Proportions()
+"""Those of the sources above."""
 
 
 @dataclass(frozen=True)
@@ -57,6 +100,12 @@ class Segment:
     """Where the mass is between place (0) and end (1)."""
     limits: tuple[tuple[float, float], ...] = (_FREE, _FREE, _FREE)
     """Limits about x, y and z [degrees]."""
+
+    @property
+    def kind(self) -> str:
+        """What it grows with, by its name: trunk, shoulder, arm, leg, foot or head."""
+        kinds = (kind for kind, words in _KINDS.items() if any(word in self.name for word in words))
+        return next(kinds, "trunk")
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,49 +132,95 @@ class Sole:
     """Underside of the tip of the toes in the toe joint's frame [m], shape (3,)."""
 
 
-def humanoid(height: float = 1.7, *, mass: float = 68.0) -> tuple[Skeleton, Body, tuple[str, ...]]:
+def humanoid(
+    height: float = 1.7, *, mass: float = 68.0, proportions: Proportions = USUAL
+) -> tuple[Skeleton, Body, tuple[str, ...]]:
     """Return the skeleton [m], the body [kg] and the H-Anim part of every joint."""
-    tokens = _tokens()
+    return assembled(proportioned(SEGMENTS, proportions), height, mass)
+
+
+def assembled(
+    segments: Sequence[Segment], height: float, mass: float
+) -> tuple[Skeleton, Body, tuple[str, ...]]:
+    """Return the skeleton [m], the body [kg] and the H-Anim part of every joint of some segments.
+
+    Args:
+        segments: Parents before children.
+        height: Of the body [m].
+        mass: Of the body [kg].
+    """
+    tokens = _tokens(segments)
     names = list(tokens)
-    parents = np.array([names.index(s.parent) if s.parent else -1 for s in SEGMENTS])
-    places = height * np.array([s.place for s in SEGMENTS])
-    ends = height * np.array([s.end for s in SEGMENTS])
+    parents = np.array([names.index(s.parent) if s.parent else -1 for s in segments])
+    places = height * np.array([s.place for s in segments])
+    ends = height * np.array([s.end for s in segments])
     origins = np.where(parents[:, None] < 0, 0.0, places[parents])
-    shares = np.array([s.mass_center for s in SEGMENTS])
-    limits = np.array([s.limits for s in SEGMENTS])
-    upright = np.tile((0.0, 0.0, 0.0, 1.0), (len(SEGMENTS), 1))
+    shares = np.array([s.mass_center for s in segments])
+    limits = np.array([s.limits for s in segments])
+    upright = np.tile((0.0, 0.0, 0.0, 1.0), (len(segments), 1))
     skeleton = Skeleton(tuple(tokens.values()), parents, places - origins, upright)
     body = Body(
-        masses=mass * np.array([s.mass for s in SEGMENTS]),
+        masses=mass * np.array([s.mass for s in segments]),
         mass_centers=shares[:, None] * (ends - places),
         limits_min=limits[:, :, 0],
         limits_max=limits[:, :, 1],
-        stiffness=np.zeros(len(SEGMENTS)),
+        stiffness=np.zeros(len(segments)),
     )
-    return skeleton, body, tuple(s.part for s in SEGMENTS)
+    return skeleton, body, tuple(s.part for s in segments)
 
 
-def solids(height: float = 1.7) -> tuple[Solid, ...]:
+def proportioned(segments: Sequence[Segment], proportions: Proportions) -> tuple[Segment, ...]:
+    """Return the segments of somebody with other proportions, of the same height, on the ground."""
+    places: dict[str, Floats] = {}
+    kinds = {segment.name: segment.kind for segment in segments}
+    old = {segment.name: np.array(segment.place) for segment in segments}
+    grown = []
+    for segment in segments:
+        place = old[segment.name]
+        if segment.parent:
+            way = place - old[segment.parent]
+            place = places[segment.parent] + proportions.of(kinds[segment.parent]) * way
+        places[segment.name] = place
+        own = proportions.of(segment.kind) * np.subtract(segment.end, segment.place)
+        radius = segment.radius * (proportions.head if segment.kind == "head" else 1.0)
+        grown.append((segment, place, place + own, radius))
+    ankle = min(place[1] for segment, place, _, _ in grown if segment.part in _ANKLES)
+    ground = np.array((0.0, ankle - _ANKLE_HEIGHT * proportions.feet, 0.0))
+    top = max((end - ground)[1] + radius for s, _, end, radius in grown if s.kind == "head")
+    return tuple(
+        replace(
+            segment,
+            place=tuple((place - ground) / top),
+            end=tuple((end - ground) / top),
+            radius=radius / top,
+        )
+        for segment, place, end, radius in grown
+    )
+
+
+def solids(height: float = 1.7, proportions: Proportions = USUAL) -> tuple[Solid, ...]:
     """Return one capsule per joint, in the order of the skeleton."""
     return tuple(
         Solid(joint, seal(height * np.subtract(s.end, s.place), 3), height * s.radius)
-        for joint, s in enumerate(SEGMENTS)
+        for joint, s in enumerate(proportioned(SEGMENTS, proportions))
     )
 
 
-def sole(height: float = 1.7) -> Sole:
+def sole(height: float = 1.7, proportions: Proportions = USUAL) -> Sole:
     """Return the points under a foot."""
+    segments = {segment.name: segment for segment in proportioned(SEGMENTS, proportions)}
+    size = height * segments["LeftFoot"].place[1] / _ANKLE_HEIGHT
     return Sole(
-        heel=seal(height * np.array((0.0, -_ANKLE_HEIGHT, -_HEEL_BACK)), 3),
-        ball=seal(height * np.array((0.0, -_BALL_HEIGHT, 0.0)), 3),
-        toe_tip=seal(height * np.array((0.0, -_BALL_HEIGHT, _TOE_LENGTH)), 3),
+        heel=seal(size * np.array((0.0, -_ANKLE_HEIGHT, -_HEEL_BACK)), 3),
+        ball=seal(size * np.array((0.0, -_BALL_HEIGHT, 0.0)), 3),
+        toe_tip=seal(size * np.array((0.0, -_BALL_HEIGHT, _TOE_LENGTH)), 3),
     )
 
 
-def _tokens() -> dict[str, str]:
+def _tokens(segments: Sequence[Segment]) -> dict[str, str]:
     """Return the path of every joint by its name, in order."""
     tokens: dict[str, str] = {}
-    for segment in SEGMENTS:
+    for segment in segments:
         above = f"{tokens[segment.parent]}/" if segment.parent else ""
         tokens[segment.name] = above + segment.name
     return tokens
@@ -155,16 +250,12 @@ def _arm(side: str, prefix: str, sign: int) -> list[Segment]:
     shoulder, elbow, wrist, tip = ((float(x), y, 0.0) for x in reach)
     bend = (-150.0, 0.0) if sign > 0 else (0.0, 150.0)
     hinge = ((-90.0, 90.0), bend, _SLACK)
-    collar, fore = (sign * 0.02, y, 0.02), f"{side}ForeArm"
-    clavicle = (f"{side}Shoulder", "Spine2", f"{prefix}_sternoclavicular")
+    collar, upper, fore = (sign * 0.02, y, 0.02), f"{side}Arm", f"{side}ForeArm"
+    clavicle = f"{side}Shoulder"
     return [
-        Segment(*clavicle, collar, shoulder, 0.026),
-        Segment(
-            f"{side}Arm", clavicle[0], f"{prefix}_shoulder", shoulder, elbow, 0.026, 0.0271, 0.5772
-        ),
-        Segment(
-            fore, f"{side}Arm", f"{prefix}_elbow", elbow, wrist, 0.021, 0.0162, 0.4574, limits=hinge
-        ),
+        Segment(clavicle, "Spine2", f"{prefix}_sternoclavicular", collar, shoulder, 0.026),
+        Segment(upper, clavicle, f"{prefix}_shoulder", shoulder, elbow, 0.026, 0.0271, 0.5772),
+        Segment(fore, upper, f"{prefix}_elbow", elbow, wrist, 0.021, 0.0162, 0.4574, hinge),
         Segment(f"{side}Hand", fore, f"{prefix}_radiocarpal", wrist, tip, 0.018, 0.0061, 0.3624),
     ]
 
@@ -179,7 +270,7 @@ def _leg(side: str, prefix: str, sign: int) -> list[Segment]:
     up, low, foot = f"{side}UpLeg", f"{side}Leg", f"{side}Foot"
     return [
         Segment(up, "Hips", f"{prefix}_hip", hip, knee, 0.042, 0.1416, 0.4095),
-        Segment(low, up, f"{prefix}_knee", knee, ankle, 0.030, 0.0433, 0.4459, limits=hinge),
+        Segment(low, up, f"{prefix}_knee", knee, ankle, 0.030, 0.0433, 0.4459, hinge),
         Segment(foot, low, f"{prefix}_talocrural", ankle, ball, 0.019, 0.0137, 0.414),
         Segment(f"{side}ToeBase", foot, f"{prefix}_metatarsophalangeal", ball, tip, 0.012),
     ]
