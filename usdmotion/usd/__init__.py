@@ -26,6 +26,7 @@ from usdmotion.usd.guides import author_contact_guides
 from usdmotion.usd.inspected import Inspection
 from usdmotion.usd.inspection import inspect
 from usdmotion.usd.new_stages import new_stage
+from usdmotion.usd.normalized import author_normalized, read_normalized
 from usdmotion.usd.outputs import require_apart
 from usdmotion.usd.overlays import Overlay
 from usdmotion.usd.planting import author_keeping, author_passes, edits_of
@@ -51,6 +52,7 @@ __all__ = [
     "author_feet",
     "author_keeping",
     "author_mesh",
+    "author_normalized",
     "author_passes",
     "author_prop",
     "author_region",
@@ -61,6 +63,7 @@ __all__ = [
     "new_stage",
     "put",
     "read",
+    "read_normalized",
     "read_outcomes",
     "read_searches",
     "read_stage",
