@@ -12,9 +12,9 @@ class NormalizedMotion:
     """Postures over time on the normalized skeleton.
 
     Everything is told in the axes of the normalized body: x to its left, y up, z to its front, as
-    it stands at rest. A part's frame is the identity there, whatever the axes of its joint are, so
-    that a rotation means the same on every skeleton. F frames, L limbs, S segments, P points, C
-    carriers, E extra joints, O offset joints.
+    it stands in a T-pose, palms down. A part's frame is the identity there, whatever the axes of
+    its joint and the rest pose of its skeleton are, so that a rotation means the same on every one.
+    F frames, L limbs, S segments, P points, C carriers, E extra joints, O offset joints.
     """
 
     times: Floats
@@ -52,11 +52,12 @@ class NormalizedMotion:
     extra_joints: tuple[str, ...] = ()
     """Tokens of the joints that have no place above."""
     extra_rotations: Floats = field(default_factory=lambda: np.zeros((0, 0, 4)))
-    """Rotation of each in its parent's frame, xyzw, shape (F, E, 4)."""
+    """Rotation of each away from rest, in the axes of what carries it, xyzw, shape (F, E, 4)."""
     offset_joints: tuple[str, ...] = ()
     """Tokens of the joints that are translated in their parent's frame, the root apart."""
     offsets: Floats = field(default_factory=lambda: np.zeros((0, 0, 3)))
-    """Translation of each away from rest over leg length, shape (F, O, 3)."""
+    """Translation of each away from rest over leg length, in the axes of what carries it, shape
+    (F, O, 3)."""
 
     def __post_init__(self) -> None:
         frames = len(self.times)

@@ -1,0 +1,62 @@
+"""What is normalized and restored on the same skeleton is the same motion."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from usdmotion_bvh import BvhReader
+
+from usdmotion.arrays import Floats
+from usdmotion.demos.body import humanoid
+from usdmotion.humanoid import PartMap, guess
+from usdmotion.kernels import conjugate, forward, from_vector, multiply, to_vector
+from usdmotion.motion import Motion, Placement, Skeleton
+from usdmotion.s4d import Morphology, normalize, restore
+
+UP = {"Y": np.array((0.0, 1.0, 0.0)), "Z": np.array((0.0, 0.0, 1.0))}
+CLIPS = ("cmu/mb/*", "cmu/daz/*", "cmu/daz_hands/*", "cmu/iclone/*", "other/*")
+
+
+def apart(skeleton: Skeleton, a: Motion, b: Motion) -> tuple[float, float]:
+    """Return how far joints are apart at most [m], and how much they are turned [degrees]."""
+    (places, turns), (others, turned) = (
+        forward(skeleton.parents, each.translations, each.rotations) for each in (a, b)
+    )
+    angles = np.linalg.norm(to_vector(multiply(conjugate(turns), turned)), axis=-1)
+    return np.linalg.norm(others - places, axis=-1).max(), np.degrees(angles.max())
+
+
+def there_and_back(
+    skeleton: Skeleton, parts: PartMap, motion: Motion, placement: Placement, up: Floats
+) -> Motion:
+    body = Morphology.of(skeleton, parts)
+    normalized = normalize(motion, placement, body, up=up)
+    return restore(normalized, body, placement, up=up)
+
+
+@pytest.mark.parametrize("axis", UP)
+def test_any_postures_of_any_placement_come_back(axis: str) -> None:
+    skeleton, _, parts = humanoid()
+    generator = np.random.default_rng(5)
+    rotations = from_vector(generator.normal(size=(40, len(parts), 3)))
+    places = np.broadcast_to(skeleton.rest_translations, (40, len(parts), 3))
+    shaken = places + 0.01 * generator.normal(size=places.shape)
+    motion = Motion(np.arange(40) / 30.0, shaken, rotations)
+    turns = from_vector(generator.normal(size=(40, 3)))
+    placement = Placement(generator.normal(size=(40, 3)), turns)
+    back = there_and_back(skeleton, PartMap(parts), motion, placement, UP[axis])
+    metres, degrees = apart(skeleton, motion, back)
+    assert metres < 1e-9
+    assert degrees < 1e-6
+
+
+@pytest.mark.parametrize("pattern", CLIPS)
+def test_captured_motion_comes_back(mocap: Path, pattern: str) -> None:
+    for path in sorted(mocap.glob(f"{pattern}.bvh")):
+        clip = BvhReader().read(path)
+        parts = guess(clip.skeleton, names=clip.original_names)
+        placement = Placement.identity(clip.motion.frame_count)
+        back = there_and_back(clip.skeleton, parts, clip.motion, placement, UP[clip.up])
+        metres, degrees = apart(clip.skeleton, clip.motion, back)
+        assert metres <= 1e-4, path
+        assert degrees <= 0.1, path

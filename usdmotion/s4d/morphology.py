@@ -1,0 +1,185 @@
+"""Everything there is to know of a body, to take a motion off it and to put one on."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from usdmotion.arrays import Floats, seal
+from usdmotion.errors import SceneError
+from usdmotion.humanoid import PartMap
+from usdmotion.kernels import conjugate, forward, multiply, rotate
+from usdmotion.motion import Skeleton
+from usdmotion.s4d.anatomy import Rest, basis
+from usdmotion.s4d.measures import Measures
+from usdmotion.s4d.places import LIMBS
+from usdmotion.s4d.turns import Y
+
+
+@dataclass(frozen=True)
+class Limb:
+    """An arm or a leg."""
+
+    name: str
+    """H-Anim name of its top joint."""
+    top: int
+    middle: int
+    end: int
+    upper: float
+    """Length from top to middle joint at rest [m]."""
+    lower: float
+    """Length from middle joint to end at rest [m]."""
+
+    @property
+    def length(self) -> float:
+        """Length of the limb stretched out [m]."""
+        return self.upper + self.lower
+
+
+@dataclass(frozen=True, eq=False)
+class Morphology:
+    """A body: its skeleton, its parts, and where the axes of each part are in its joint."""
+
+    skeleton: Skeleton
+    parts: PartMap
+    axes: Floats
+    """Orientation of the body at rest in the skeleton's space, x left, y up, z front, (4,)."""
+    part_frames: Floats
+    """Canonical frame of every joint in the joint's own frame, xyzw, shape (joint_count, 4).
+
+    An orientation in the world times this one is the turn of the part away from a T-pose, the same
+    on every skeleton.
+    """
+    rest_positions: Floats
+    """Places of the joints at rest in the skeleton's space [m], shape (joint_count, 3)."""
+
+    def __post_init__(self) -> None:
+        count = len(self.skeleton.joints)
+        for name, shape in (
+            ("axes", (4,)),
+            ("part_frames", (count, 4)),
+            ("rest_positions", (count, 3)),
+        ):
+            object.__setattr__(self, name, seal(getattr(self, name), *shape, name=name))
+
+    @classmethod
+    def of(cls, skeleton: Skeleton, parts: PartMap, *, who: str = "the skeleton") -> "Morphology":
+        """Return what is known of a body.
+
+        Args:
+            skeleton: Its joints, standing at rest along any axis; arms and legs may be anywhere.
+            parts: Which joint is which part.
+            who: How to call the skeleton in an error.
+
+        Raises:
+            SceneError: Parts are missing, a limb has no length, or its rest is no body's.
+        """
+        _refuse(skeleton, parts, who)
+        positions, orientations = forward(
+            skeleton.parents, skeleton.rest_translations[None], skeleton.rest_rotations[None]
+        )
+        rest = Rest(skeleton, parts, positions[0])
+        frames = multiply(conjugate(orientations[0]), rest.frames())
+        return cls(skeleton, parts, rest.axes, frames, positions[0])
+
+    def joint(self, part: str) -> int:
+        """Return the joint that is a part.
+
+        Raises:
+            SceneError: No joint is.
+        """
+        joint = self.parts.joint(part)
+        if joint is None:
+            raise SceneError(f"no joint of the skeleton is {part}; author usdmotion:parts on it")
+        return joint
+
+    def canonical(self, part: str) -> Floats:
+        """Return the canonical frame of a part in the frame of its joint, xyzw, shape (4,)."""
+        return np.asarray(self.part_frames[self.joint(part)])
+
+    @cached_property
+    def limbs(self) -> tuple[Limb, ...]:
+        """Left arm and leg, right arm and leg."""
+        places = self.rest_positions
+        found = []
+        for names in LIMBS:
+            top, middle, end = map(self.joint, names)
+            upper, lower = (
+                float(np.linalg.norm(places[b] - places[a]))
+                for a, b in ((top, middle), (middle, end))
+            )
+            found.append(Limb(names[0], top, middle, end, upper, lower))
+        return tuple(found)
+
+    @cached_property
+    def measures(self) -> Measures:
+        """The lengths of the body at rest."""
+        return Measures.of(self.rest_positions[None], self.parts, rotate(self.axes, Y))
+
+    def measured(self, translations: Floats) -> Measures:
+        """Return the lengths of the body as it grows.
+
+        Args:
+            translations: Of its joints at rest [m], shape (N, joint_count, 3).
+        """
+        rest = np.broadcast_to(self.skeleton.rest_rotations, (*translations.shape[:2], 4))
+        positions, _ = forward(self.skeleton.parents, translations, rest)
+        return Measures.of(positions, self.parts, rotate(self.axes, Y))
+
+    @property
+    def leg_length(self) -> float:
+        """Thigh and shank, mean of both legs [m]."""
+        return float(self.measures.leg[0])
+
+    @property
+    def standing_heights(self) -> tuple[float, float]:
+        """How high ankle and ball of a foot are over the sole that is on the ground [m]."""
+        return float(self.measures.ankle_height[0]), float(self.measures.ball_height[0])
+
+    @cached_property
+    def frames_above(self) -> Floats:
+        """Canonical frame of what carries each joint, in its own frame, xyzw, (joint_count, 4)."""
+        parents = self.skeleton.parents
+        return np.where((parents >= 0)[:, None], self.part_frames[parents], self.axes)
+
+    def at_rest(self, part: str, above: str) -> Floats:
+        """Return how a part is turned at rest as seen from another, xyzw, shape (4,)."""
+        _, orientations = self._rest
+        rest = multiply(orientations, self.part_frames)
+        return multiply(conjugate(rest[self.joint(above)]), rest[self.joint(part)])
+
+    @cached_property
+    def _rest(self) -> tuple[Floats, Floats]:
+        skeleton = self.skeleton
+        positions, orientations = forward(
+            skeleton.parents, skeleton.rest_translations[None], skeleton.rest_rotations[None]
+        )
+        return positions[0], orientations[0]
+
+    def basis(self, limb: Limb) -> Floats:
+        """Return the axes of a limb in the canonical frames of its two segments, xyzw, (4,)."""
+        return basis(limb.name)
+
+
+def _refuse(skeleton: Skeleton, parts: PartMap, who: str) -> None:
+    if parts.missing:
+        raise SceneError(
+            f"no joint of {who} can be told to be {', '.join(parts.missing)}; a motion is "
+            "normalized on a whole human body; author usdmotion:parts on it"
+        )
+    for limb in LIMBS:
+        joints = [parts.joint(part) for part in limb]
+        for upper, lower, part in zip(joints[:-1], joints[1:], limb[1:], strict=True):
+            assert upper is not None and lower is not None
+            chain = skeleton.chain(lower)
+            if upper not in chain:
+                raise SceneError(
+                    f"{who} has its {part} '{skeleton.joints[lower]}' not below "
+                    f"'{skeleton.joints[upper]}'; author usdmotion:parts on it"
+                )
+            way = skeleton.rest_translations[list(chain[: chain.index(upper)])]
+            if not np.any(way):
+                raise SceneError(
+                    f"{who} has no length between '{skeleton.joints[upper]}' and "
+                    f"'{skeleton.joints[lower]}' at rest; give it a rest pose"
+                )

@@ -1,0 +1,157 @@
+"""From a motion of a body to the normalized motion (2005, section 4)."""
+
+import numpy as np
+
+from usdmotion.arrays import Floats
+from usdmotion.humanoid import PARTS
+from usdmotion.kernels import conjugate, forward, multiply, rotate
+from usdmotion.motion import Motion, Placement
+from usdmotion.s4d.carrying import heights_of
+from usdmotion.s4d.chains import spine_points
+from usdmotion.s4d.limbs import aligned, fold
+from usdmotion.s4d.morphology import Morphology
+from usdmotion.s4d.normalized import NormalizedMotion
+from usdmotion.s4d.places import ENDS, MIDDLES, ROOT, TOPS, carrier
+from usdmotion.s4d.roots import split_heading
+from usdmotion.s4d.turns import Y, continuous, swing
+
+_STILL = 1e-7
+"""Translation of a joint away from rest that is none, over leg length."""
+
+
+def normalize(
+    motion: Motion,
+    placement: Placement,
+    morphology: Morphology,
+    *,
+    up: Floats,
+    carriers: tuple[str, ...] = (),
+    carrier_shares: Floats | None = None,
+) -> NormalizedMotion:
+    """Return a motion without the body that it was recorded on.
+
+    Args:
+        motion: Of the body's skeleton.
+        placement: Where the skeleton's space is, on the same frames.
+        morphology: The body.
+        up: The direction away from the ground in the world, shape (3,).
+        carriers: The joints that carry the root, each by its H-Anim name; none is the ankles.
+        carrier_shares: How much each carries, shape (F, C), as `carrying` returns them.
+    """
+    body = _Posed(motion, placement, morphology, up)
+    segments = tuple(part for part in PARTS if body.has(part) and part not in _LIMB_PARTS)
+    limbs, lengths, twists = body.limbs()
+    frames, rotations = body.seen(segments, limbs)
+    heading, orientation = split_heading(body.of(ROOT))
+    extras, offsets = body.extras(), body.offsets()
+    spine = [segments.index(morphology.parts.parts[joint]) for joint in morphology.parts.spine]
+    points = spine_points(morphology.measures.spine, _accumulated(rotations[:, spine]))
+    shares = np.zeros((motion.frame_count, 0)) if carrier_shares is None else carrier_shares
+    return NormalizedMotion(
+        times=motion.times,
+        limbs=TOPS,
+        limb_frames=frames,
+        limb_lengths=lengths,
+        limb_twists=twists,
+        segments=segments,
+        segment_rotations=rotations,
+        spine=points,
+        root_position=body.root(carriers, shares),
+        root_heading=heading,
+        root_orientation=orientation,
+        carriers=carriers,
+        carrier_shares=shares,
+        extra_joints=extras[0],
+        extra_rotations=extras[1],
+        offset_joints=offsets[0],
+        offsets=offsets[1],
+    )
+
+
+_LIMB_PARTS = (ROOT, *TOPS, *MIDDLES)
+
+
+def _accumulated(rotations: Floats) -> Floats:
+    """(F, N, 4) to (F, N, 4): rotations of a chain, each as seen from what carries the chain."""
+    whole = rotations.copy()
+    for index in range(1, rotations.shape[1]):
+        whole[:, index] = multiply(whole[:, index - 1], rotations[:, index])
+    return whole
+
+
+class _Posed:
+    """A body in its postures, in a world whose y is up."""
+
+    def __init__(self, motion: Motion, placement: Placement, body: Morphology, up: Floats) -> None:
+        positions, orientations = forward(
+            body.skeleton.parents, motion.translations, motion.rotations
+        )
+        upright = swing(up / np.linalg.norm(up), Y)
+        turn = multiply(upright, placement.rotations)[:, None]
+        self.motion, self.body = motion, body
+        self.positions = rotate(turn, positions) + rotate(upright, placement.translations)[:, None]
+        self.orientations = multiply(turn, orientations)
+        self.canonical = multiply(self.orientations, body.part_frames)
+
+    def has(self, part: str) -> bool:
+        return self.body.parts.joint(part) is not None
+
+    def of(self, part: str) -> Floats:
+        """Return the canonical orientation of a part, shape (F, 4)."""
+        return np.asarray(self.canonical[:, self.body.joint(part)])
+
+    def limbs(self) -> tuple[Floats, Floats, Floats]:
+        """Return the frames of the limbs in the world, their lengths and twists."""
+        body, limbs = self.body, self.body.limbs
+        joints = np.array([(limb.top, limb.middle, limb.end) for limb in limbs]).T
+        bases = np.array([body.basis(limb) for limb in limbs])
+        tops, middles, ends = (self.positions[:, row] for row in joints)
+        ways = middles - tops, ends - middles
+        upper, lower = (
+            aligned(multiply(self.canonical[:, row], bases), way)
+            for row, way in zip(joints[:2], ways, strict=True)
+        )
+        return fold(ways, (upper, lower))
+
+    def seen(self, segments: tuple[str, ...], limbs: Floats) -> tuple[Floats, Floats]:
+        """Return the frames of limbs and the rotations of segments as seen from what carries."""
+        bases = np.array([self.body.basis(limb) for limb in self.body.limbs])
+        straight = multiply(limbs, conjugate(bases))
+        frames = np.empty_like(limbs)
+        for index, top in enumerate(TOPS):
+            above = self.of(carrier(top, segments))
+            frames[:, index] = multiply(conjugate(above), limbs[:, index])
+        rotations = np.empty((len(limbs), len(segments), 4))
+        for index, part in enumerate(segments):
+            is_end = part in ENDS
+            above = straight[:, ENDS.index(part)] if is_end else self.of(carrier(part, segments))
+            rotations[:, index] = multiply(conjugate(above), self.of(part))
+        return continuous(frames), continuous(rotations)
+
+    def root(self, carriers: tuple[str, ...], shares: Floats) -> Floats:
+        """Return the normalized place of the root, shape (F, 3)."""
+        hips = [self.positions[:, self.body.joint(f"{side}_hip")] for side in "lr"]
+        place = 0.5 * (hips[0] + hips[1])
+        stand, length = heights_of(self.body.measures, carriers, shares)
+        root = place / self.body.leg_length
+        root[:, 1] = (place[:, 1] - stand) / length
+        return np.asarray(root)
+
+    def extras(self) -> tuple[tuple[str, ...], Floats]:
+        """Return the joints that are no parts, and how each is turned away from rest."""
+        body, skeleton = self.body, self.body.skeleton
+        joints = np.flatnonzero([not part for part in body.parts.parts])
+        above = body.frames_above[joints]
+        turned = multiply(self.motion.rotations[:, joints], body.part_frames[joints])
+        tokens = tuple(skeleton.joints[joint] for joint in joints)
+        return tokens, continuous(multiply(conjugate(above), turned))
+
+    def offsets(self) -> tuple[tuple[str, ...], Floats]:
+        """Return the joints that are translated, and how far over leg length."""
+        body, skeleton = self.body, self.body.skeleton
+        away = (self.motion.translations - skeleton.rest_translations) / body.leg_length
+        moved = np.abs(away).max(axis=(0, 2), initial=0.0) > _STILL
+        moved[body.joint(ROOT)] = False
+        joints = np.flatnonzero(moved)
+        tokens = tuple(skeleton.joints[joint] for joint in joints)
+        return tokens, rotate(conjugate(body.frames_above[joints]), away[:, joints])
