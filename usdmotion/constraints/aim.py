@@ -30,7 +30,7 @@ class AimConstraint(Constraint):
     unit: ClassVar[str] = "deg"
     tolerance: float = attribute(0.0)
     """What counts as met [degrees]; 0 is 1 degree."""
-    aim: Floats = attribute(lambda: np.array([0.0, 0.0, 1.0]))
+    aim: Floats = attribute(lambda: np.array([0.0, 0.0, 1.0]), frame="joint")
     """The axis in the joint's frame, of any length but zero."""
 
     def tasks(self, cast: Cast) -> Iterator[AimTask | RotationTask]:

@@ -21,9 +21,12 @@ class Attribute:
     """Whether it may change over time: the field then holds a value, or one for each frame."""
     frame: str = ""
     """In whose frame it is given: "" the stage's, "space" the relation `space`, "edit" the
-    MotionEdit's; else the field with the token of the joint, or with the tokens, a point each."""
+    MotionEdit's, "goals" that of its goals; else the field with the token of the joint, or with the
+    tokens, a point each."""
     skeleton: str = "skeleton"
     """The field with the path of the Skeleton whose joint that is, the edit's where it is empty."""
+    of: str = ""
+    """Of an orientation, the field with the token of the joint that has it; "" is no joint's."""
 
     @property
     def name(self) -> str:
@@ -59,9 +62,16 @@ def attribute(
     animated: bool = False,
     frame: str = "",
     skeleton: str = "skeleton",
+    of: str = "",
 ) -> Any:
     """Declare a dataclass field that is read from, and written to, an attribute of the schema."""
-    details = {"unit": unit, "animated": animated, "frame": frame, "skeleton": skeleton}
+    details = {
+        "unit": unit,
+        "animated": animated,
+        "frame": frame,
+        "skeleton": skeleton,
+        "of": of,
+    }
     if isinstance(default, (tuple, str, int, float)):
         return dataclasses.field(default=default, metadata={"attribute": details})
     return dataclasses.field(default_factory=default, metadata={"attribute": details})

@@ -33,7 +33,7 @@ class CenterOfMassConstraint(Constraint):
         lambda: np.zeros(3), unit="length", frame="edit", animated=True
     )
     """Where it is to be from there [m], in the world, shape (3,) or (frame_count, 3)."""
-    axes: str = attribute("xyz")
+    axes: str = attribute("xyz", frame="goals")
     """The axes of the goal's space along which it is held."""
 
     def tasks(self, cast: Cast) -> Iterator[PointTask]:

@@ -40,7 +40,9 @@ class ContactConstraint(Constraint):
     `plane`: and its point may go along the plane; `slide`: along a line."""
     location: Floats = attribute(lambda: np.zeros(3), unit="length", frame="space")
     """Where the effector's point is held, in the space [m]; a place on the plane or the line."""
-    orientation: Floats = attribute(lambda: np.array([0.0, 0.0, 0.0, 1.0]), frame="space")
+    orientation: Floats = attribute(
+        lambda: np.array([0.0, 0.0, 0.0, 1.0]), frame="space", of="joint"
+    )
     """Orientation of the joint there, xyzw."""
     axis: Floats = attribute(lambda: np.array([0.0, 0.0, 1.0]), frame="space")
     """Direction of the line, or of the normal of the plane, in the space."""

@@ -22,9 +22,9 @@ class OrientationConstraint(Constraint):
     unit: ClassVar[str] = "deg"
     tolerance: float = attribute(0.0)
     """What counts as met [degrees]; 0 is 1 degree."""
-    rotation: Floats = attribute(lambda: np.array([0.0, 0.0, 0.0, 1.0]))
+    rotation: Floats = attribute(lambda: np.array([0.0, 0.0, 0.0, 1.0]), frame="joint")
     """Joint frame × rotation has the goal's orientation; xyzw."""
-    free_axis: Floats = attribute(lambda: np.zeros(3))
+    free_axis: Floats = attribute(lambda: np.zeros(3), frame="joint")
     """Axis of the joint's frame about which turning is left free; zero for none."""
 
     def tasks(self, cast: Cast) -> Iterator[RotationTask]:

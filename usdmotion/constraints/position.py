@@ -16,7 +16,7 @@ class PositionConstraint(Constraint):
     """Holds a point of a joint at its goals, or on its original trajectory."""
 
     schema: ClassVar[str] = "MotionPositionConstraint"
-    axes: str = attribute("xyz")
+    axes: str = attribute("xyz", frame="goals")
     """The axes of the goal's space along which it is held."""
 
     def tasks(self, cast: Cast) -> Iterator[PointTask]:

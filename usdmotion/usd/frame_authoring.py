@@ -36,7 +36,7 @@ def in_units(
     changed: dict[str, Any] = {}
     for each in attributes(type(constraint)):
         given = np.asarray(getattr(constraint, each.field)) if each.frame else None
-        if given is None or not given.size:
+        if given is None or not given.size or (each.unit != "length" and each.frame != "space"):
             continue
         if each.frame == "space":
             changed[each.field] = _in_space(constraint, each, given, prim, codes, facts)
