@@ -163,6 +163,11 @@ SCHEMAS = {
         quatf[] extraRotations []
         uniform token[] offsetJoints []
         vector3f[] offsets []
+        uniform token solver ""
+        uniform timecode[] range []
+        uniform double cleaning 0
+        uniform double smoothing 0
+        uniform int passes 1
         """,
     ),
     "MotionSkeletonAPI": (

@@ -6,6 +6,7 @@ say of unit and frame says what is a length, in whose frame it is, and whose ori
 
 from usdmotion.travelling.carrying import Traveller, carried
 from usdmotion.travelling.measures import Measures
-from usdmotion.travelling.ways import StaysBehind, Way
+from usdmotion.travelling.settings import Settings
+from usdmotion.travelling.ways import StaysBehind, Turned, Way
 
-__all__ = ["Measures", "StaysBehind", "Traveller", "Way", "carried"]
+__all__ = ["Measures", "Settings", "StaysBehind", "Traveller", "Turned", "Way", "carried"]

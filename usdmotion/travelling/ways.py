@@ -104,5 +104,30 @@ class Way:
         return letters.translate(str.maketrans("yz", "zy"))
 
 
+@dataclass(frozen=True, eq=False)
+class Turned(Way):
+    """Between two worlds, of what has no body: only the axes of the world change."""
+
+    def name(self, name: str) -> str:
+        """Return the name."""
+        return name
+
+    def names(self, names: tuple[str, ...]) -> tuple[str, ...]:
+        """Return the names."""
+        return names
+
+    def has(self, name: str) -> bool:
+        """Tell that there are all joints."""
+        return True
+
+    def frame(self, name: str) -> Floats:
+        """Return no rotation."""
+        return np.array([0.0, 0.0, 0.0, 1.0])
+
+    def place(self, places: Floats, joint: str) -> Floats:
+        """Return world places in the other world."""
+        return np.asarray(rotate(self.world, places))
+
+
 def _listed(names: tuple[str, ...]) -> str:
     return ", ".join(f"'{name}'" for name in names[:3]) + (", …" if len(names) > 3 else "")

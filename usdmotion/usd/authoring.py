@@ -66,7 +66,12 @@ def author_edit(
         prim.GetAttribute("usdmotion:smoothing").Set(float(smoothing))
     if passes != 1:
         prim.GetAttribute("usdmotion:passes").Set(passes)
-    for name, chosen in (options or {}).items():
+    author_options(prim, options or {})
+
+
+def author_options(prim: Usd.Prim, options: Mapping[str, bool | int | float | str]) -> None:
+    """Give a prim the options of a solver."""
+    for name, chosen in options.items():
         kind = _OPTION_TYPES[type(chosen)]
         prim.CreateAttribute(f"usdmotion:option:{name}", kind, custom=True).Set(chosen)
 

@@ -20,7 +20,7 @@ from usdmotion.usd.shot import Facts
 def constraint_prims(edit: Usd.Prim) -> Iterator[Usd.Prim]:
     """Yield the constraints of an edit, at any depth, in the order of the stage."""
     for prim in Usd.PrimRange(edit):
-        if _is_constraint(prim) and edit_of(prim) == edit:
+        if is_constraint(prim) and edit_of(prim) == edit:
             yield prim
 
 
@@ -70,24 +70,41 @@ def read_constraints(
     Raises:
         SceneError: One is of a kind that nobody knows, or says what cannot be.
     """
+    return tuple(
+        read_constraint(prim, edit, skeleton, kinds, sittings, time_codes, facts)
+        for prim in constraint_prims(edit)
+    )
+
+
+def read_constraint(
+    prim: Usd.Prim,
+    edit: Usd.Prim,
+    skeleton: str,
+    kinds: Sequence[type[Constraint]],
+    sittings: Mapping[str, Sitting],
+    time_codes: Floats,
+    facts: Facts,
+) -> Constraint:
+    """Return one constraint of an edit, as `read_constraints` does.
+
+    Raises:
+        SceneError: It is of a kind that nobody knows, or says what cannot be.
+    """
     known = {kind.schema: kind for kind in kinds}
-    found = []
-    for prim in constraint_prims(edit):
-        kind = known.get(str(prim.GetTypeName()))
-        if kind is None:
-            raise SceneError(
-                f"<{prim.GetPath()}> is a {prim.GetTypeName()}, which nothing installed here can "
-                f"solve; deactivate it, or use one of {', '.join(sorted(known))}"
-            )
-        constraint = kind(
-            path=str(prim.GetPath()),
-            skeleton=skeleton,
-            goals=tuple(read_goal(goal, sittings, time_codes, facts) for goal in goal_prims(prim)),
-            **read_fields(prim, kind, time_codes, facts),
-            **_related(prim, kind, time_codes, facts),
+    kind = known.get(str(prim.GetTypeName()))
+    if kind is None:
+        raise SceneError(
+            f"<{prim.GetPath()}> is a {prim.GetTypeName()}, which nothing installed here can "
+            f"solve; deactivate it, or use one of {', '.join(sorted(known))}"
         )
-        found.append(in_metres(constraint, prim, edit, sittings, time_codes, facts))
-    return tuple(found)
+    constraint = kind(
+        path=str(prim.GetPath()),
+        skeleton=skeleton,
+        goals=tuple(read_goal(goal, sittings, time_codes, facts) for goal in goal_prims(prim)),
+        **read_fields(prim, kind, time_codes, facts),
+        **_related(prim, kind, time_codes, facts),
+    )
+    return in_metres(constraint, prim, edit, sittings, time_codes, facts)
 
 
 def _related(
@@ -104,7 +121,8 @@ def _related(
     return fields
 
 
-def _is_constraint(prim: Usd.Prim) -> bool:
+def is_constraint(prim: Usd.Prim) -> bool:
+    """Tell whether a prim is a constraint, of whatever kind."""
     # A type that USD does not know is nothing but a name, and a constraint must not go unseen.
     name = str(prim.GetTypeName())
     return is_a(prim, "UsdMotionConstraint") or (
