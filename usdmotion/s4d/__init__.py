@@ -2,12 +2,23 @@
 
 `NormalizedMotion` is what a motion is when every length is a fraction of the body's own.
 `normalize` takes a motion off a body, `restore` puts it on one; `Morphology` is what they have to
-know of it.
+know of it. `stand` puts a motion onto its footprints, and these onto a ground.
 """
 
+from usdmotion.s4d.footing import Standing, stand
+from usdmotion.s4d.footprints import Footprint
 from usdmotion.s4d.morphology import Limb, Morphology
 from usdmotion.s4d.normalized import NormalizedMotion
 from usdmotion.s4d.normalizing import normalize
 from usdmotion.s4d.restoring import restore
 
-__all__ = ["Limb", "Morphology", "NormalizedMotion", "normalize", "restore"]
+__all__ = [
+    "Footprint",
+    "Limb",
+    "Morphology",
+    "NormalizedMotion",
+    "Standing",
+    "normalize",
+    "restore",
+    "stand",
+]

@@ -1,0 +1,209 @@
+"""The way of a foot over the ground: from footprint to footprint, and clear of what is between."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdmotion.arrays import Bools, Floats
+from usdmotion.ground import Ground
+from usdmotion.kernels import conjugate, multiply, rotate
+from usdmotion.s4d.ankles import Foot
+from usdmotion.s4d.footprints import ANKLE, Footprint, Stance, between
+from usdmotion.s4d.legs import Leg, Pose
+from usdmotion.s4d.soles import lie
+
+_SAME = 0.04
+"""A sole this near to the ground that a motion was made on stood on it [m]."""
+_UNSURE = 0.03
+"""Rest poses tell where soles are no better than this [m]."""
+_NONE = np.array((0.0, 0.0, 0.0, 1.0))
+
+
+@dataclass(frozen=True, eq=False)
+class Tread:
+    """What moves a foot as it stands and swings."""
+
+    stands: Bools
+    """When it stands, shape (frame_count,)."""
+    drawn: Floats
+    """By how much it is moved [m], shape (frame_count, 3)."""
+    turned: Floats
+    """By what it is turned so that it stands as its footprints say, xyzw, (frame_count, 4)."""
+    sloped: Floats
+    """By what it is turned after that, to lie on the ground, xyzw, (frame_count, 4)."""
+    over: float
+    """How high the joint that it stands on is over its sole [m]."""
+    groundless: tuple[Footprint, ...] = ()
+    """The footprints under which there is no ground."""
+
+    def moved(self, leg: Leg, pose: Pose, up: Floats) -> Foot:
+        """Return where the foot is to be."""
+        stands_on, ankle = (pose.positions[:, joint] for joint in (leg.stands_on, leg.ankle))
+        turn = multiply(self.sloped, self.turned)
+        # It turns about the contact under the joint that it stands on.
+        contact = stands_on + self.drawn - self.over * up
+        held = contact + rotate(self.sloped, np.broadcast_to(self.over * up, contact.shape))
+        return Foot(
+            held + rotate(turn, ankle - stands_on), multiply(turn, pose.rotations[:, leg.ankle])
+        )
+
+
+@dataclass(frozen=True)
+class Level:
+    """The ground that a motion was made on, and how feet stood on it."""
+
+    height: float
+    """Along the up axis [m]."""
+    over: dict[str, float]
+    """How high ankles, and balls, are over a sole that is on the ground [m], by their names."""
+
+    @classmethod
+    def of(
+        cls,
+        footprints: Sequence[Footprint],
+        at_rest: dict[str, float],
+        up: Floats,
+        made_on: float | None,
+    ) -> "Level":
+        """Return it as footprints tell it.
+
+        Args:
+            footprints: Of both feet.
+            at_rest: How high ankles and balls are over a sole on the ground at rest [m].
+            up: The direction away from the ground.
+            made_on: Height of the ground [m]; None takes 0, or where soles are if that is farther
+                away than rest poses are wrong.
+        """
+        found: dict[str, list[float]] = {name: [] for name in at_rest}
+        for each in (one for one in footprints if one.part[2:] in found):
+            found[each.part[2:]].append(float(each.place @ up))
+        soles = [z - at_rest[name] for name, heights in found.items() for z in heights]
+        middle = float(np.median(soles)) if soles else 0.0
+        if made_on is None:
+            made_on = 0.0 if abs(middle) <= _UNSURE else middle
+        over = {
+            name: max(float(np.median(heights)) - made_on, 0.0) if heights else at_rest[name]
+            for name, heights in found.items()
+        }
+        return cls(made_on, over)
+
+    def above(self, footprint: Footprint, up: Floats) -> float:
+        """Return how high a joint is to be over the ground under its footprint [m].
+
+        That is as high as in any other footprint, or as high as it was on something that stood
+        on that ground.
+        """
+        usual = self.over[footprint.part[2:]]
+        own = float(footprint.place @ up) - self.height
+        return usual if abs(own - usual) <= _SAME else own
+
+
+def treads_of(
+    pose: Pose,
+    legs: Sequence[Leg],
+    stances: Sequence[Sequence[Stance]],
+    level: Level,
+    ground: Ground | None,
+    *,
+    times: Floats,
+    up: Floats,
+) -> list[Tread]:
+    """Return the ways of both feet from footprint to footprint.
+
+    Args:
+        pose: The motion in the world.
+        legs: Both.
+        stances: Of each leg.
+        level: The ground that the motion was made on.
+        ground: What to stand on; None is the ground that the motion was made on.
+        times: Seconds, shape (frame_count,).
+        up: The direction away from the ground, shape (3,).
+    """
+    laid: list[list[_Laid]] = [[] for _ in legs]
+    order = sorted(
+        (int(each.frames.argmax()), foot, each) for foot, own in enumerate(stances) for each in own
+    )
+    risen = 0.0
+    for _, foot, stance in order:
+        one = _laid(pose, legs[foot], stance, level, ground, risen, times, up)
+        laid[foot].append(one)
+        risen = one.risen
+    return [
+        _tread(pose.rotations[:, leg.ankle], own, level.over[leg.stands_by], times)
+        for leg, own in zip(legs, laid, strict=True)
+    ]
+
+
+@dataclass(frozen=True, eq=False)
+class _Laid:
+    """A stance on the ground; everything is shape (stance_frame_count, …)."""
+
+    stance: Stance
+    drawn: Floats
+    sloped: Floats
+    risen: float
+    """How much higher the ground is under it than that which the motion was made on [m]."""
+    found: bool
+    """Whether there is ground."""
+
+
+def _laid(
+    pose: Pose,
+    leg: Leg,
+    stance: Stance,
+    level: Level,
+    ground: Ground | None,
+    risen: float,
+    times: Floats,
+    up: Floats,
+) -> _Laid:
+    """Return a stance on the ground under it, no higher than a step above where feet are now."""
+    frames, footprint = stance.frames, stance.footprint
+    joint = leg.ankle if footprint.part.endswith(ANKLE) else leg.stands_on
+    drawn = stance.drawn(pose.positions[:, joint])
+    level_turns = np.broadcast_to(_NONE, (len(drawn), 4))
+    if ground is None:
+        return _Laid(stance, drawn, level_turns, 0.0, True)
+    above = level.above(footprint, up)
+    contact = footprint.place - above * up
+    heading = leg.heading(pose.rotations[frames], up).mean(axis=0)
+    heading /= max(float(np.linalg.norm(heading)), 1e-9)
+    shape = (len(drawn), 3)
+    lying = lie(
+        ground,
+        np.broadcast_to(contact + risen * up, shape),
+        np.broadcast_to(heading, shape),
+        leg.sole_from(joint),
+        times[frames],
+        up,
+    )
+    known = ~np.isnan(lying.heights)
+    if known.mean() < 0.5:
+        return _Laid(stance, drawn, level_turns, 0.0, False)
+    heights = between(times[frames], known, lying.heights)
+    rises = heights - contact @ up
+    return _Laid(stance, drawn + rises[:, None] * up, lying.turns, float(rises[-1]), True)
+
+
+def _tread(turns: Floats, laid: Sequence[_Laid], over: float, times: Floats) -> Tread:
+    """Return the way of one foot, whose ankle is turned as the motion says on each frame."""
+    count = len(times)
+    stands, drawn = np.zeros(count, dtype=np.bool_), np.zeros((count, 3))
+    sloped = np.tile(_NONE, (count, 1))
+    for each in laid:
+        stands |= each.stance.frames
+        drawn[each.stance.frames] = each.drawn
+        sloped[each.stance.frames] = each.sloped
+    said, turned = np.zeros(count, dtype=np.bool_), np.tile(_NONE, (count, 1))
+    for footprint in (one for each in laid for one in each.stance.turned):
+        held = footprint.during(times)
+        said |= held
+        if footprint.rotation is not None:
+            turned[held] = multiply(footprint.rotation, conjugate(turns[held]))
+    if stands.any():
+        drawn, sloped = between(times, stands, drawn), between(times, stands, sloped)
+    if said.any():
+        turned = between(times, said, turned)
+    groundless = tuple(each.stance.footprint for each in laid if not each.found)
+    return Tread(stands, drawn, turned, sloped, over, groundless)
