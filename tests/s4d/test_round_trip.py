@@ -29,7 +29,7 @@ def apart(skeleton: Skeleton, a: Motion, b: Motion) -> tuple[float, float]:
 def there_and_back(
     skeleton: Skeleton, parts: PartMap, motion: Motion, placement: Placement, up: Floats
 ) -> Motion:
-    body = Morphology.of(skeleton, parts)
+    body = Morphology.of(skeleton, parts, poses=motion)
     normalized = normalize(motion, placement, body, up=up)
     return restore(normalized, body, placement, up=up)
 

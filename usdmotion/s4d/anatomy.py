@@ -6,7 +6,7 @@ turns, so that a T-pose, an A-pose and hanging arms give the same frames in the 
 and clavicles are at rest what they are in a T-pose.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -14,9 +14,10 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.humanoid import PartMap
 from usdmotion.humanoid.parts import finger
-from usdmotion.kernels import conjugate, multiply, rotate
+from usdmotion.kernels import conjugate, forward, multiply, rotate
 from usdmotion.motion import Skeleton
 from usdmotion.s4d.places import FINGERS, LIMBS
+from usdmotion.s4d.stance import Stance
 from usdmotion.s4d.turns import IDENTITY, X, Y, Z, across, from_y_z, swing, unit
 
 _UPRIGHT = np.cos(np.radians(30.0))
@@ -25,6 +26,13 @@ _SQUARE = np.cos(np.radians(10.0))
 """The same, of the line from right to left."""
 _BENT = np.sin(np.radians(10.0))
 """A limb that is bent as much at rest shows its half-plane."""
+_STANDING = 0.5
+"""Cosine of how far legs, hips, shoulders and head may be from where they are in a T-pose."""
+_AHEAD = 0.3
+"""Share of its length that a foot goes ahead at least, to show where ahead is."""
+_ROLL = np.cos(np.radians(12.0))
+"""How far a foot may be rolled against its leg and be meant to stand flat."""
+_WIDE = ("hip", "shoulder")
 _SAME_SIDE = 0.3
 """Cosine below which a bend at rest is another than that of the joint."""
 
@@ -43,11 +51,29 @@ def basis(top: str) -> Floats:
 class Rest:
     """A body at rest, in the space of its skeleton."""
 
-    def __init__(self, skeleton: Skeleton, parts: PartMap, positions: Floats) -> None:
-        self.skeleton = skeleton
+    def __init__(self, skeleton: Skeleton, parts: PartMap, stance: Stance | None = None) -> None:
+        self.skeleton = skeleton if stance is None else stance.skeleton
         self.parts = parts
-        self.positions = positions
+        self._sides = {} if stance is None else stance.sides
+        self._soles = {} if stance is None else stance.soles
+        self.positions, self.orientations = rest_pose(self.skeleton)
         self.axes = self._axes()
+
+    @property
+    def stands(self) -> bool:
+        """Whether this is a body's posture: legs below the trunk, hips and shoulders in line."""
+        sides = [self.line(self.joint(f"r_{part}"), self.joint(f"l_{part}")) for part in _WIDE]
+        legs = [self.line(self.joint(limb[0]), self.joint(limb[2])) for limb in LIMBS[1::2]]
+        head = self.line(self.joint("humanoid_root"), self.joint("skullbase"))
+        turned = [*(unit(side) @ X for side in sides), *(unit(leg) @ -Y for leg in legs)]
+        return bool(min(*turned, unit(head) @ Y) > _STANDING)
+
+    def _seen(self, hints: Mapping[int, Floats], joint: int) -> Floats | None:
+        """Return a direction that was seen in the frame of a joint, in the axes of the body."""
+        if joint not in hints:
+            return None
+        turned = multiply(conjugate(self.axes), self.orientations[joint])
+        return rotate(turned, unit(hints[joint]))
 
     def joint(self, part: str) -> int:
         """Return the joint of a part that every body has."""
@@ -86,7 +112,7 @@ class Rest:
             joints = (self.joint(top), self.joint(middle), self.joint(end))
             frames |= self._limb(basis(top), joints)
             frames[joints[2]] = (
-                self._foot(joints[2])
+                self._foot(joints[2], frames[joints[1]])
                 if end.endswith("talocrural")
                 else self._hand(joints, frames[joints[1]], 1.0 if end.startswith("l") else -1.0)
             )
@@ -110,15 +136,26 @@ class Rest:
         if np.linalg.norm(side) > _BENT and unit(side) @ rotate(frame, Y) > _SAME_SIDE:
             frame = from_y_z(side, upper)
         below = multiply(swing(upper, lower), frame)
+        first, second = (self._seen(self._sides, joint) for joint in (top, middle))
+        if first is not None and second is not None:
+            frame, below = from_y_z(first, upper), from_y_z(second, lower)
         return {top: multiply(frame, conjugate(base)), middle: multiply(below, conjugate(base))}
 
-    def _foot(self, ankle: int) -> Floats:
-        """Return the frame of a foot, which is flat at rest and points to its ball."""
+    def _foot(self, ankle: int, shank: Floats) -> Floats:
+        """Return the frame of a foot, which points to its ball and is flat at rest.
+
+        Unless it would have to roll more than an ankle can: then it hangs on its leg.
+        """
         balls = self._ahead(ankle, ("tarsometatarsal", "metatarsophalangeal"))
-        ways = [self.line(ankle, ball) for ball in balls]
-        ahead = across(np.mean(ways, axis=0), Y) if ways else Z
-        length = np.linalg.norm(np.mean(ways, axis=0)) if ways else 1.0
-        return from_y_z(Y, ahead if ahead[2] > 0.3 * length else Z)
+        way = np.mean([self.line(ankle, ball) for ball in balls], axis=0) if balls else Z
+        up = self._seen(self._soles, ankle)
+        if up is not None:
+            return from_y_z(up, across(way, up))
+        if across(way, Y)[2] < _AHEAD * np.linalg.norm(way):
+            way = Z
+        hanging = unit(across(rotate(shank, Y), unit(across(way, Y))))
+        up = Y if hanging @ Y > _ROLL else hanging
+        return from_y_z(up, across(way, up))
 
     def _hand(self, joints: Sequence[int], forearm: Floats, sign: float) -> Floats:
         """Return the frame of a hand: along its middle, its back away from the palm."""
@@ -158,6 +195,14 @@ class Rest:
         wanted = [f"{side}_{name}{digit}" for digit in digits for name in reversed(names)]
         found = [joint for joint in map(self.parts.joint, wanted) if joint is not None]
         return [found[0]] if f"{side}_metatarsophalangeal" in self.parts.parts else found
+
+
+def rest_pose(skeleton: Skeleton) -> tuple[Floats, Floats]:
+    """Return where joints are at rest [m] and how they are turned, (J, 3) and (J, 4)."""
+    positions, orientations = forward(
+        skeleton.parents, skeleton.rest_translations[None], skeleton.rest_rotations[None]
+    )
+    return positions[0], orientations[0]
 
 
 def _snapped(direction: Floats, cosine: float) -> Floats:

@@ -7,7 +7,9 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.humanoid import PartMap
 from usdmotion.humanoid.parts import LEG
+from usdmotion.kernels import rotate
 from usdmotion.s4d.places import ENDS, LIMBS, ROOT
+from usdmotion.s4d.turns import Y
 
 _BALL_HEIGHT = 0.0244
 """Height of the ball of a foot over its sole, over leg length (as the demonstrations' body)."""
@@ -36,13 +38,13 @@ class Measures:
         return np.asarray(self.limbs[:, 1::2].sum(axis=2).mean(axis=1))
 
     @classmethod
-    def of(cls, positions: Floats, parts: PartMap, up: Floats) -> "Measures":
+    def of(cls, positions: Floats, parts: PartMap, frames: Floats) -> "Measures":
         """Return the lengths of a body whose joints are at rest.
 
         Args:
             positions: Of the joints [m], shape (N, joint_count, 3).
             parts: Which joint is which part.
-            up: The direction from feet to head at rest, shape (3,).
+            frames: Canonical orientation of each joint at rest, xyzw, shape (joint_count, 4).
         """
 
         def place(part: str) -> Floats:
@@ -57,8 +59,10 @@ class Measures:
         leg = limbs[:, 1::2].sum(axis=2).mean(axis=1)
         balls = [part for part in _BALLS if parts.joint(part) is not None]
         ankles = [ENDS[1] if ball.startswith("l") else ENDS[3] for ball in balls]
+        ups = [rotate(frames[parts.joint(ankle)], Y) for ankle in ankles]
         rises = [
-            (place(ankle) - place(ball)) @ up for ankle, ball in zip(ankles, balls, strict=True)
+            (place(ankle) - place(ball)) @ up
+            for ankle, ball, up in zip(ankles, balls, ups, strict=True)
         ]
         ball_height = _BALL_HEIGHT * leg
         rise = np.maximum(np.mean(rises, axis=0), 0.0) if rises else 0.0

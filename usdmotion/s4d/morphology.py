@@ -8,12 +8,12 @@ import numpy as np
 from usdmotion.arrays import Floats, seal
 from usdmotion.errors import SceneError
 from usdmotion.humanoid import PartMap
-from usdmotion.kernels import conjugate, forward, multiply, rotate
-from usdmotion.motion import Skeleton
-from usdmotion.s4d.anatomy import Rest, basis
+from usdmotion.kernels import conjugate, forward, multiply
+from usdmotion.motion import Motion, Skeleton
+from usdmotion.s4d.anatomy import Rest, basis, rest_pose
 from usdmotion.s4d.measures import Measures
 from usdmotion.s4d.places import LIMBS
-from usdmotion.s4d.turns import Y
+from usdmotion.s4d.stance import Stance
 
 
 @dataclass(frozen=True)
@@ -41,6 +41,7 @@ class Morphology:
     """A body: its skeleton, its parts, and where the axes of each part are in its joint."""
 
     skeleton: Skeleton
+    """Its joints; at rest it stands, whatever the rest pose is that was given."""
     parts: PartMap
     axes: Floats
     """Orientation of the body at rest in the skeleton's space, x left, y up, z front, (4,)."""
@@ -50,37 +51,47 @@ class Morphology:
     An orientation in the world times this one is the turn of the part away from a T-pose, the same
     on every skeleton.
     """
-    rest_positions: Floats
-    """Places of the joints at rest in the skeleton's space [m], shape (joint_count, 3)."""
 
     def __post_init__(self) -> None:
         count = len(self.skeleton.joints)
         for name, shape in (
             ("axes", (4,)),
             ("part_frames", (count, 4)),
-            ("rest_positions", (count, 3)),
         ):
             object.__setattr__(self, name, seal(getattr(self, name), *shape, name=name))
 
     @classmethod
-    def of(cls, skeleton: Skeleton, parts: PartMap, *, who: str = "the skeleton") -> "Morphology":
+    def of(
+        cls,
+        skeleton: Skeleton,
+        parts: PartMap,
+        *,
+        poses: Motion | None = None,
+        who: str = "the skeleton",
+    ) -> "Morphology":
         """Return what is known of a body.
 
         Args:
             skeleton: Its joints, standing at rest along any axis; arms and legs may be anywhere.
             parts: Which joint is which part.
+            poses: How it moves, which is looked at where its rest pose is no posture of a body.
             who: How to call the skeleton in an error.
 
         Raises:
-            SceneError: Parts are missing, a limb has no length, or its rest is no body's.
+            SceneError: Parts are missing, a limb has no length, or its rest pose is no posture of a
+                body and there are no poses.
         """
         _refuse(skeleton, parts, who)
-        positions, orientations = forward(
-            skeleton.parents, skeleton.rest_translations[None], skeleton.rest_rotations[None]
-        )
-        rest = Rest(skeleton, parts, positions[0])
-        frames = multiply(conjugate(orientations[0]), rest.frames())
-        return cls(skeleton, parts, rest.axes, frames, positions[0])
+        rest = Rest(skeleton, parts)
+        if not rest.stands:
+            if poses is None or not poses.frame_count:
+                raise SceneError(
+                    f"{who} is in no posture of a body at rest; give it a rest pose in which it "
+                    "stands, or bind a motion to it"
+                )
+            rest = Rest(skeleton, parts, Stance.seen(skeleton, parts, poses))
+        frames = multiply(conjugate(rest.orientations), rest.frames())
+        return cls(rest.skeleton, parts, rest.axes, frames)
 
     def joint(self, part: str) -> int:
         """Return the joint that is a part.
@@ -114,7 +125,7 @@ class Morphology:
     @cached_property
     def measures(self) -> Measures:
         """The lengths of the body at rest."""
-        return Measures.of(self.rest_positions[None], self.parts, rotate(self.axes, Y))
+        return Measures.of(self.rest_positions[None], self.parts, self._upright)
 
     def measured(self, translations: Floats) -> Measures:
         """Return the lengths of the body as it grows.
@@ -124,7 +135,7 @@ class Morphology:
         """
         rest = np.broadcast_to(self.skeleton.rest_rotations, (*translations.shape[:2], 4))
         positions, _ = forward(self.skeleton.parents, translations, rest)
-        return Measures.of(positions, self.parts, rotate(self.axes, Y))
+        return Measures.of(positions, self.parts, self._upright)
 
     @property
     def leg_length(self) -> float:
@@ -144,17 +155,22 @@ class Morphology:
 
     def at_rest(self, part: str, above: str) -> Floats:
         """Return how a part is turned at rest as seen from another, xyzw, shape (4,)."""
-        _, orientations = self._rest
-        rest = multiply(orientations, self.part_frames)
+        rest = self._upright
         return multiply(conjugate(rest[self.joint(above)]), rest[self.joint(part)])
 
     @cached_property
     def _rest(self) -> tuple[Floats, Floats]:
-        skeleton = self.skeleton
-        positions, orientations = forward(
-            skeleton.parents, skeleton.rest_translations[None], skeleton.rest_rotations[None]
-        )
-        return positions[0], orientations[0]
+        return rest_pose(self.skeleton)
+
+    @cached_property
+    def _upright(self) -> Floats:
+        """Canonical orientation of each joint at rest in the skeleton's space, (joint_count, 4)."""
+        return multiply(self._rest[1], self.part_frames)
+
+    @property
+    def rest_positions(self) -> Floats:
+        """Places of the joints at rest in the skeleton's space [m], shape (joint_count, 3)."""
+        return self._rest[0]
 
     def basis(self, limb: Limb) -> Floats:
         """Return the axes of a limb in the canonical frames of its two segments, xyzw, (4,)."""

@@ -1,0 +1,107 @@
+"""How a body stands, where its rest pose does not say: told by the way it moves.
+
+Some files give lengths only, along the axes that the joints happen to have: at rest, legs point
+wherever the back does. Then the postures tell which way knees and elbows bend and which side of a
+foot is the sole, and what they are on average, at right angles where they are near, is how the
+trunk stands.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from usdmotion.arrays import Floats
+from usdmotion.humanoid import PartMap
+from usdmotion.kernels import chordal_mean, conjugate, forward, multiply, rotate, to_vector
+from usdmotion.motion import Motion, Skeleton
+from usdmotion.s4d.places import LIMBS
+from usdmotion.s4d.turns import across, unit
+
+_MOST_FRAMES = 500
+"""Postures that are looked at, evenly over the clip."""
+_NEAR = np.radians(40.0)
+"""How far from a turn by right angles a joint may be on average to be meant as that."""
+_STANDING = 0.1
+"""Share of the frames, the slowest and lowest ones, in which a foot is taken to stand."""
+_RIGHT_ANGLES = Rotation.create_group("O").as_quat()
+
+
+@dataclass(frozen=True, eq=False)
+class Stance:
+    """A rest pose for a skeleton, and what only its motion shows."""
+
+    skeleton: Skeleton
+    """The skeleton, standing."""
+    sides: Mapping[int, Floats]
+    """Where the middle joint of a limb goes when it bends, in the frame of its top or of its middle
+    joint, shape (3,)."""
+    soles: Mapping[int, Floats]
+    """The direction away from the sole in the frame of an ankle, shape (3,)."""
+
+    @classmethod
+    def seen(cls, skeleton: Skeleton, parts: PartMap, motion: Motion) -> "Stance":
+        """Return how a body stands, from its motion."""
+        step = -(-motion.frame_count // _MOST_FRAMES)
+        poses = motion.during(slice(None, None, step))
+        rotations = skeleton.rest_rotations.copy()
+        root = parts.joint("humanoid_root")
+        assert root is not None
+        for joint in range(len(skeleton.joints)):
+            if root in skeleton.chain(joint)[1:]:
+                rotations[joint] = _usual(poses.rotations[:, joint])
+        positions, orientations = forward(skeleton.parents, poses.translations, poses.rotations)
+        posed = _Posed(parts, positions, orientations)
+        sides: dict[int, Floats] = {}
+        for limb in LIMBS:
+            sides |= posed.sides(*limb)
+        soles = {posed.joint(f"{side}_talocrural"): posed.sole(side) for side in "lr"}
+        return cls(replace(skeleton, rest_rotations=rotations), sides, soles)
+
+
+def _usual(rotations: Floats) -> Floats:
+    """(F, 4) to (4,): the mean, or the turn by right angles that it is near."""
+    mean = chordal_mean(rotations, np.ones(len(rotations)))
+    away = np.linalg.norm(to_vector(multiply(conjugate(_RIGHT_ANGLES), mean)), axis=-1)
+    nearest = int(np.argmin(away))
+    return np.asarray(_RIGHT_ANGLES[nearest] if away[nearest] < _NEAR else mean)
+
+
+@dataclass(frozen=True, eq=False)
+class _Posed:
+    parts: PartMap
+    positions: Floats
+    orientations: Floats
+
+    def joint(self, part: str) -> int:
+        joint = self.parts.joint(part)
+        assert joint is not None
+        return joint
+
+    def place(self, part: str) -> Floats:
+        return np.asarray(self.positions[:, self.joint(part)])
+
+    def sides(self, top: str, middle: str, end: str) -> dict[int, Floats]:
+        """Return the mean side of the middle joint, which counts by how far the limb is bent."""
+        upper = self.place(middle) - self.place(top)
+        side = across(upper, unit(self.place(end) - self.place(top)))
+        return {
+            joint: rotate(conjugate(self.orientations[:, joint]), side).mean(axis=0)
+            for joint in (self.joint(top), self.joint(middle))
+        }
+
+    def sole(self, side: str) -> Floats:
+        """Return which way is up for a foot while it moves least and is lowest."""
+        hips = self.place("l_hip") + self.place("r_hip")
+        trunk = unit(self.place("l_shoulder") + self.place("r_shoulder") - hips).mean(axis=0)
+        axis = int(np.argmax(np.abs(trunk)))
+        up = np.sign(trunk[axis]) * np.eye(3)[axis]
+        ankle = self.joint(f"{side}_talocrural")
+        turns = self.orientations[:, ankle]
+        toes = self.parts.joint(f"{side}_metatarsophalangeal")
+        foot = self.positions[:, [ankle, ankle if toes is None else toes]]
+        steps = np.linalg.norm(np.diff(foot, axis=0, prepend=foot[:1]), axis=-1).sum(axis=1)
+        rank = np.argsort(np.argsort(steps)) + np.argsort(np.argsort(foot[:, 0] @ up))
+        stands = rank <= np.quantile(rank, _STANDING)
+        return np.asarray(rotate(conjugate(turns[stands]), up).mean(axis=0))
