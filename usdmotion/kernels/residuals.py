@@ -62,7 +62,7 @@ def task_error(
     if table.kind[task] == AIM:
         node = table.term_node[table.first_term[task]]
         axis = turned(quaternion_at(orientations, node), vector_at(table.free_axis, task))
-        return _between(axis, (-x, -y, -z))
+        return between(axis, (-x, -y, -z))
     return (-x, -y, -z)
 
 
@@ -151,7 +151,7 @@ def _turn_error(tasks: Reference[TaskTable], frame: int, task: int, orientations
         return rotation_vector(product(asked, inverse(present)))
     present_axis = turned(frame_turn, free)
     asked_axis = turned(asked, turned(inverse(offset), free))
-    return _between(present_axis, asked_axis)
+    return between(present_axis, asked_axis)
 
 
 @shared
@@ -208,7 +208,7 @@ def _goal(tasks: Reference[TaskTable], frame: int, goal: int, orientations: Floa
 
 
 @shared
-def _between(a: Any, b: Any) -> Vector:
+def between(a: Any, b: Any) -> Vector:
     """Return the shortest rotation vector that turns a's direction to b's."""
     axis = cross(a, b)
     sine = math.sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2])

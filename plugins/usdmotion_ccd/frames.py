@@ -1,0 +1,159 @@
+"""One frame of one character, and the loop over the frames of a clip."""
+
+from usdmotion import Ints
+from usdmotion.kernels import is_slack, kernel, reference, shared, task_error
+from usdmotion_ccd.posing import give_output, mix, save, take_input
+from usdmotion_ccd.state import Parts, SolveRanks, Step, Work
+
+SETTLED, LIMIT = 1, 2
+WITHOUT, WITH = 1, 2
+"""Slots of saved poses."""
+
+
+@kernel
+def solve_clip(parts: Parts, step: Step, solve_ranks: SolveRanks, visits: Ints, first: int) -> None:
+    """Parts of `Work`, (V,): solve the frames from `first` on, characters in the order given."""
+    table, given, found, told, tree, ranks, moves, settings, pose, saved, asked = parts
+    work = Work(
+        reference(table),
+        reference(given),
+        reference(found),
+        reference(told),
+        reference(tree),
+        reference(ranks),
+        reference(moves),
+        reference(settings),
+        reference(pose),
+        reference(saved),
+        reference(asked),
+    )
+    for frame in range(first, given.translations.shape[0]):
+        for character in range(tree.first.shape[0] - 1):
+            take_input(work, frame, character)
+        for visit in range(visits.shape[0]):
+            solve_frame(work, step, solve_ranks, frame, visits[visit])
+
+
+@shared
+def solve_frame(
+    work: Work, step: Step, solve_ranks: SolveRanks, frame: int, character: int
+) -> None:
+    """Solve one frame of one character; all others that it looks at are placed already.
+
+    First what is fully on, then with it what eases in or out, in rank order. An easing task leaves
+    the share 1 − a of the error that it has in the frame solved without it (DESIGN, section 6).
+    """
+    ranks, asked, table = work.ranks[0], work.asked[0], work.table[0]
+    first = ranks.first_task[ranks.first[character]]
+    last = ranks.first_task[ranks.first[character + 1]]
+    take_input(work, frame, character)
+    for index in range(first, last):
+        task = ranks.tasks[index]
+        asked.on[task] = table.activity[frame, task] >= 1.0
+        for axis in range(3):
+            asked.base[task, axis] = 0.0
+    spent = _solve(work, step, solve_ranks, frame, character)
+    index = first
+    while index < last:
+        end = index + 1
+        if not _eases(work, frame, ranks.tasks[index]):
+            index = end
+            continue
+        while end < last and _goes_along(work, frame, ranks.tasks[index], ranks.tasks[end]):
+            end += 1
+        spent += _ease(work, step, solve_ranks, frame, character, index, end)
+        index = end
+    told = work.told[0]
+    told.iterations[frame, character] = spent
+    told.stops[frame, character] = SETTLED if spent < work.settings[0].iterations else LIMIT
+    give_output(work, frame, character)
+
+
+@shared
+def _eases(work: Work, frame: int, task: int) -> bool:
+    activity = work.table[0].activity[frame, task]
+    return bool(activity > 0.0 and activity < 1.0)
+
+
+@shared
+def _goes_along(work: Work, frame: int, task: int, other: int) -> bool:
+    """Tell whether two tasks ease as one: those of one constraint do."""
+    table = work.table[0]
+    same = table.constraint[task] == table.constraint[other]
+    return bool(same and table.activity[frame, task] == table.activity[frame, other])
+
+
+@shared
+def _solve(work: Work, step: Step, solve_ranks: SolveRanks, frame: int, character: int) -> int:
+    """Solve what is on, and what is let go as far as it is."""
+    ranks, asked = work.ranks[0], work.asked[0]
+    first = ranks.first_task[ranks.first[character]]
+    for index in range(first, ranks.first_task[ranks.first[character + 1]]):
+        task = ranks.tasks[index]
+        for axis in range(3):
+            asked.kept[task, axis] = asked.base[task, axis]
+    return solve_ranks(work, step, frame, character)
+
+
+@shared
+def _ease(
+    work: Work,
+    step: Step,
+    solve_ranks: SolveRanks,
+    frame: int,
+    character: int,
+    start: int,
+    end: int,
+) -> int:
+    """Go from the pose without some tasks that ease towards the one with them; return the effort.
+
+    Both are solved from the input. What is between them joint by joint is then corrected, so that
+    every other task is left as between the two, and nothing jumps where the activity comes to an
+    end.
+    """
+    ranks, asked, table = work.ranks[0], work.asked[0], work.table[0]
+    share = table.activity[frame, ranks.tasks[start]]
+    save(work, character, WITHOUT)
+    for index in range(start, end):
+        task = ranks.tasks[index]
+        pose = work.pose[0]
+        error = task_error(work.table, frame, task, pose.positions, pose.orientations)
+        if is_slack(work.table, task, error):
+            error = (0.0, 0.0, 0.0)
+        for axis in range(3):
+            asked.kept[task, axis] = error[axis]
+        asked.on[task] = True
+    _remember(work, character)
+    take_input(work, frame, character)
+    spent = _solve(work, step, solve_ranks, frame, character)
+    save(work, character, WITH)
+    _set_between(work, character, share)
+    for index in range(start, end):
+        task = ranks.tasks[index]
+        for axis in range(3):
+            asked.base[task, axis] = asked.kept[task, axis]
+    mix(work, character, WITHOUT, WITH, share)
+    return spent + solve_ranks(work, step, frame, character)
+
+
+@shared
+def _remember(work: Work, character: int) -> None:
+    """Keep what is left of each task without what eases in."""
+    ranks, asked = work.ranks[0], work.asked[0]
+    first = ranks.first_task[ranks.first[character]]
+    for index in range(first, ranks.first_task[ranks.first[character + 1]]):
+        task = ranks.tasks[index]
+        for axis in range(3):
+            asked.free[task, axis] = asked.kept[task, axis]
+
+
+@shared
+def _set_between(work: Work, character: int, share: float) -> None:
+    """Ask each task to leave what is between what it leaves without and with what eases in."""
+    ranks, asked = work.ranks[0], work.asked[0]
+    first = ranks.first_task[ranks.first[character]]
+    for index in range(first, ranks.first_task[ranks.first[character + 1]]):
+        task = ranks.tasks[index]
+        for axis in range(3):
+            free = asked.free[task, axis]
+            asked.kept[task, axis] = free + share * (asked.kept[task, axis] - free)

@@ -1,0 +1,176 @@
+"""The ranks of a frame one after the other, each as far as it disturbs none above it.
+
+A move that disturbs a rank above is followed by what makes up for it; if that is not enough it is
+taken back, and tried half as far.
+"""
+
+from usdmotion.kernels import shared, task_error
+from usdmotion_ccd.bending import bend_limb, is_usable
+from usdmotion_ccd.errors import POINT, left, length
+from usdmotion_ccd.posing import restore, save
+from usdmotion_ccd.shifting import forget, shift_root
+from usdmotion_ccd.state import LIMB, SHIFT, Step, Work
+from usdmotion_ccd.turning import turn_joint
+
+HALVINGS = 3
+"""How often a move is tried half as far."""
+REPAIRS = 8
+"""How often everything above is made up for, after one move."""
+SHIFTS = 8
+"""How often the root is shifted before anything else moves."""
+
+
+def step(work: Work, frame: int, character: int, rank: int, move: int, scale: float) -> bool:
+    """Make a move for the tasks of a rank; return whether anything moved."""
+    kind = work.moves[0].kind[move]
+    if kind == LIMB:
+        return bend_limb(work, frame, character, rank, move, scale)
+    if kind == SHIFT:
+        return shift_root(work, frame, character, rank, move, scale)
+    return turn_joint(work, frame, character, rank, move, scale)
+
+
+def solve_ranks(work: Work, step: Step, frame: int, character: int) -> int:
+    """Solve the tasks that are on, from the pose as it is; return how many iterations it took."""
+    ranks, tree, asked = work.ranks[0], work.tree[0], work.asked[0]
+    for index in range(tree.first[character], tree.first[character + 1]):
+        asked.pinned[tree.order[index]] = False
+    first, last = ranks.first[character], ranks.first[character + 1]
+    for move in range(ranks.first_move[first], ranks.first_move[last]):
+        asked.gains[move] = 1.0
+    spent = 0
+    for rank in range(first, last):
+        spent += _solve_rank(work, step, frame, character, rank)
+        _keep(work, frame, character, rank)
+    return spent
+
+
+@shared
+def worst(work: Work, frame: int, rank: int) -> float:
+    """Return the largest error of a rank [m or rad]."""
+    largest = 0.0
+    for index in range(work.ranks[0].first_task[rank], work.ranks[0].first_task[rank + 1]):
+        task = work.ranks[0].tasks[index]
+        if work.asked[0].on[task]:
+            largest = max(largest, length(left(work, frame, task)))
+    return largest
+
+
+@shared
+def _cost(work: Work, frame: int, rank: int) -> float:
+    """Return the weighted square of the errors of a rank."""
+    total = 0.0
+    for index in range(work.ranks[0].first_task[rank], work.ranks[0].first_task[rank + 1]):
+        task = work.ranks[0].tasks[index]
+        if work.asked[0].on[task]:
+            error = left(work, frame, task)
+            square = error[0] * error[0] + error[1] * error[1] + error[2] * error[2]
+            total += work.table[0].weight[frame, task] * square
+    return total
+
+
+@shared
+def _solve_rank(work: Work, step: Step, frame: int, character: int, rank: int) -> int:
+    """Move, from the extremities to the root, until a rank is met or comes no nearer."""
+    ranks, settings = work.ranks[0], work.settings[0]
+    for iteration in range(settings.iterations):
+        if worst(work, frame, rank) <= settings.tolerance:
+            return iteration
+        before = _cost(work, frame, rank)
+        for move in range(ranks.first_move[rank], ranks.first_move[rank + 1]):
+            if _is_idle(work, character, rank, move):
+                continue
+            tries = SHIFTS if ranks.balances[rank] and work.moves[0].kind[move] == SHIFT else 1
+            for _ in range(tries):
+                if not _attempt(work, step, frame, character, rank, move):
+                    break
+                if worst(work, frame, rank) <= settings.tolerance:
+                    return iteration + 1
+        if _cost(work, frame, rank) > (1.0 - settings.settled) * before:
+            return iteration + 1
+    return settings.iterations
+
+
+@shared
+def _is_idle(work: Work, character: int, rank: int, move: int) -> bool:
+    """Tell whether a limb does all that a turn could do."""
+    limb = work.moves[0].limb[move]
+    return bool(limb >= 0 and is_usable(work, character, rank, limb))
+
+
+@shared
+def _attempt(work: Work, step: Step, frame: int, character: int, rank: int, move: int) -> bool:
+    """Make a move as far as it brings its rank nearer and disturbs none above."""
+    ranks = work.ranks[0]
+    before, scale = _cost(work, frame, rank), 1.0
+    if work.moves[0].kind[move] != SHIFT:
+        forget(work, ranks.first[character], rank + 1)
+    save(work, character, 0)
+    for _ in range(HALVINGS + 1):
+        if not step(work, frame, character, rank, move, scale):
+            return False
+        kept = _repair(work, step, frame, character, rank, move)
+        if kept and _cost(work, frame, rank) < before:
+            return True
+        restore(work, character, 0)
+        forget(work, ranks.first[character], rank + 1)
+        scale *= 0.5
+    return False
+
+
+@shared
+def _repair(work: Work, step: Step, frame: int, character: int, rank: int, move: int) -> bool:
+    """Make up for what a move did to its own rank and those above, which come last."""
+    ranks, moves = work.ranks[0], work.moves[0]
+    top = ranks.first[character]
+    for _ in range(REPAIRS):
+        for other in range(rank, top - 1, -1):
+            for repair in range(ranks.first_move[other], ranks.first_move[other + 1]):
+                if moves.repairs[repair] and not _overlap(work, move, repair):
+                    step(work, frame, character, other, repair, 1.0)
+        if _is_intact(work, frame, character, rank):
+            return True
+    return False
+
+
+@shared
+def _overlap(work: Work, move: int, other: int) -> bool:
+    """Tell whether two moves change the same joint."""
+    moves = work.moves[0]
+    if (moves.kind[move] == SHIFT) != (moves.kind[other] == SHIFT):
+        return False
+    a, b = moves.node[move], moves.middle[move]
+    c, d = moves.node[other], moves.middle[other]
+    return bool(a == c or a == d or (b >= 0 and (b == c or b == d)))
+
+
+@shared
+def _is_intact(work: Work, frame: int, character: int, rank: int) -> bool:
+    """Tell whether all ranks above one are where they were left."""
+    ranks, asked = work.ranks[0], work.asked[0]
+    most = 2.0 * work.settings[0].tolerance
+    for index in range(ranks.first_task[ranks.first[character]], ranks.first_task[rank]):
+        task = ranks.tasks[index]
+        if asked.on[task] and length(left(work, frame, task)) > most:
+            return False
+    return True
+
+
+@shared
+def _keep(work: Work, frame: int, character: int, rank: int) -> None:
+    """From here on the tasks of a rank are to stay as near as they came."""
+    ranks, asked, table, pose = work.ranks[0], work.asked[0], work.table[0], work.pose[0]
+    tree = work.tree[0]
+    for index in range(ranks.first_task[rank], ranks.first_task[rank + 1]):
+        task = ranks.tasks[index]
+        if not asked.on[task]:
+            continue
+        if length(left(work, frame, task)) > work.settings[0].tolerance:
+            error = task_error(work.table, frame, task, pose.positions, pose.orientations)
+            for axis in range(3):
+                asked.kept[task, axis] = error[axis]
+        if table.kind[task] != POINT or table.first_term[task + 1] > table.first_term[task] + 1:
+            continue
+        at = table.term_node[table.first_term[task]]
+        for place in range(tree.enter[at], tree.leave[at]):
+            asked.pinned[tree.order[place]] = True

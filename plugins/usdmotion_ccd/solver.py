@@ -1,0 +1,99 @@
+"""The solver as the host sees it: options, and the wrapper around the kernel."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from usdmotion import Problem, Solution, option
+from usdmotion.kernels import apart, within_limits
+from usdmotion_ccd.frames import solve_clip
+from usdmotion_ccd.planning import plan_moves
+from usdmotion_ccd.ranking import solve_ranks, step
+from usdmotion_ccd.schedule import schedule
+from usdmotion_ccd.state import Asked, Clip, Parts, Pose, Saved, Settings, Told
+
+
+@dataclass(frozen=True)
+class CyclicDescent:
+    """Adapts every frame by groups of the body, the trunk last, each rank in turn (2005)."""
+
+    name: ClassVar[str] = "ccd"
+    resumes: ClassVar[bool] = True
+
+    iterations: int = option(
+        30, "Most iterations on one rank of one frame.", minimum=1, maximum=10000
+    )
+    tolerance: float = option(
+        1e-5, "Error below which a constraint is met [m or rad].", minimum=1e-9
+    )
+    damping: float = option(
+        0.1,
+        "Largest turn in one iteration of a joint that is not of a limb [rad]: the less, the more "
+        "evenly such joints share a turn.",
+        minimum=1e-3,
+    )
+    settled: float = option(
+        1e-3,
+        "Share of its squared error that an iteration has to take from a rank to go on.",
+        minimum=0,
+        maximum=1,
+    )
+
+    def solve(self, problem: Problem) -> Solution:
+        """Return the motion that meets the tasks in rank order."""
+        cast, known = problem.cast, problem.known
+        plan = schedule(np.array(cast.parents), problem.table)
+        parts = make_parts(problem, self)
+        found, told = parts[2], parts[3]
+        if problem.recruited.any() and len(problem.table.kind):
+            call = apart(step, work=parts)
+            first = len(known.stops) if known else 0
+            solve_clip(parts, call, apart(solve_ranks, work=parts, step=call), plan.visits, first)
+        if known:
+            count = len(known.stops)
+            found.translations[:count] = known.translations
+            found.rotations[:count] = known.rotations
+            told.iterations[:count, 0] = known.iterations
+            told.stops[:count, 0] = known.stops
+            told.iterations[:count, 1:] = 0
+            told.stops[:count, 1:] = 0
+        iterations, stops = told.iterations.sum(axis=1), told.stops.max(axis=1)
+        return Solution(found.translations, found.rotations, iterations, stops)
+
+
+def make_parts(problem: Problem, settings: CyclicDescent) -> Parts:
+    """Return a solve's input, and room for all that it needs on the way."""
+    cast, table = problem.cast, problem.table
+    plan = schedule(np.array(cast.parents), table)
+    tree, ranks, moves = plan_moves(problem, plan)
+    frames, nodes, tasks = cast.frame_count, cast.node_count, len(table.kind)
+    characters, count = len(plan.first_node) - 1, len(moves.kind)
+    found = Clip(np.array(cast.translations), np.array(cast.rotations))
+    own = np.flatnonzero(tree.limited)
+    if len(own):
+        box = (tree.rests[own], tree.low[own], tree.high[own])
+        found.rotations[:, own] = within_limits(found.rotations[:, own], *box)
+    told = Told(*(np.zeros((frames, characters), dtype=np.int64) for _ in range(2)))
+    return (
+        table,
+        Clip(np.array(cast.translations), np.array(cast.rotations)),
+        found,
+        told,
+        tree,
+        ranks,
+        moves,
+        Settings(*(getattr(settings, name) for name in Settings._fields)),
+        Pose(*(np.zeros((nodes, size)) for size in (3, 4, 3, 4))),
+        Saved(np.zeros((3, nodes, 3)), np.zeros((3, nodes, 4))),
+        Asked(
+            on=np.zeros(tasks, dtype=np.bool_),
+            base=np.zeros((tasks, 3)),
+            kept=np.zeros((tasks, 3)),
+            free=np.zeros((tasks, 3)),
+            pinned=np.zeros(nodes, dtype=np.bool_),
+            gains=np.ones(count),
+            shifted=np.zeros((count, 3)),
+            basis=np.zeros((characters, 3, 3)),
+        ),
+    )
