@@ -95,6 +95,8 @@ class Scene:
         with what the other moves, as long as both are on at the same times.
         """
         own, demand = self.constraints[index], demands[index]
+        if {self.cast.joints[node][0] for node in demand.moves} <= {own.skeleton}:
+            return demand
         recruits = np.array(demand.recruits)
         for other, asked in zip(self.constraints, demands, strict=True):
             if own.skeleton == other.skeleton or not _in_step(own, other):
