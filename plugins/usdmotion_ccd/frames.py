@@ -1,8 +1,8 @@
-"""One frame of one character, and the loop over the frames of a clip."""
+"""One frame of one character, and the loop over the frames of a clip, group by group."""
 
-from usdmotion import Ints
-from usdmotion.kernels import is_slack, kernel, reference, shared, task_error
-from usdmotion_ccd.posing import give_output, mix, save, take_input
+from usdmotion.kernels import Reference, is_slack, reference, shared, task_error
+from usdmotion_ccd.posing import give_output, give_rest, mix, save, take_input
+from usdmotion_ccd.schedule import Schedule
 from usdmotion_ccd.state import Parts, SolveRanks, Step, Work
 
 SETTLED, LIMIT = 1, 2
@@ -10,9 +10,16 @@ WITHOUT, WITH = 1, 2
 """Slots of saved poses."""
 
 
-@kernel
-def solve_clip(parts: Parts, step: Step, solve_ranks: SolveRanks, visits: Ints, first: int) -> None:
-    """Parts of `Work`, (V,): solve the frames from `first` on, characters in the order given."""
+Handed = tuple[Parts, Step, SolveRanks, Schedule]
+"""What a problem is solved with."""
+
+
+def solve_groups(handed: Reference[Handed], first: int, last: int, start: int, stop: int) -> None:
+    """Solve the frames from `first` to before `last` of the groups from `start` to before `stop`.
+
+    No frame knows of another one, and no group of another one.
+    """
+    parts, step, solve_ranks, plan = handed[0]
     table, given, found, told, tree, ranks, moves, settings, pose, saved, asked = parts
     work = Work(
         reference(table),
@@ -27,11 +34,15 @@ def solve_clip(parts: Parts, step: Step, solve_ranks: SolveRanks, visits: Ints, 
         reference(saved),
         reference(asked),
     )
-    for frame in range(first, given.translations.shape[0]):
-        for character in range(tree.first.shape[0] - 1):
-            take_input(work, frame, character)
-        for visit in range(visits.shape[0]):
-            solve_frame(work, step, solve_ranks, frame, visits[visit])
+    for group in range(start, stop):
+        for frame in range(first, last):
+            for visit in range(plan.first_visit[group], plan.first_visit[group + 1]):
+                character = plan.visits[visit]
+                nodes = plan.first_node[character], plan.first_node[character + 1]
+                take_input(work, frame, character)
+                give_rest(work, frame, nodes[0], nodes[1])
+            for visit in range(plan.first_visit[group], plan.first_visit[group + 1]):
+                solve_frame(work, step, solve_ranks, frame, plan.visits[visit])
 
 
 @shared

@@ -163,6 +163,22 @@ def give_output(work: Work, frame: int, character: int) -> None:
 
 
 @shared
+def give_rest(work: Work, frame: int, first: int, last: int) -> None:
+    """Write down what nothing looks at nor moves: the input, within the limits of the joints."""
+    tree, given, found = work.tree[0], work.given[0], work.found[0]
+    for node in range(first, last):
+        if tree.enter[node] >= 0:
+            continue
+        own = quaternion_at(given.rotations[frame], node)
+        if tree.limited[node]:
+            own = within(work, node, own)
+        for axis in range(3):
+            found.translations[frame, node, axis] = given.translations[frame, node, axis]
+        for axis in range(4):
+            found.rotations[frame, node, axis] = own[axis]
+
+
+@shared
 def save(work: Work, character: int, slot: int) -> None:
     """Keep the pose of a character to come back to it."""
     tree, pose, saved = work.tree[0], work.pose[0], work.saved[0]

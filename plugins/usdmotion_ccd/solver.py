@@ -1,16 +1,15 @@
 """The solver as the host sees it: options, and the wrapper around the kernel."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
 
-from usdmotion import Problem, Solution, option
-from usdmotion.kernels import apart, within_limits
-from usdmotion_ccd.frames import solve_clip
+from usdmotion import Performance, Problem, Solution, option
+from usdmotion.kernels import OVER_FRAMES
+from usdmotion_ccd.live import CyclicPerformance, Ensemble
 from usdmotion_ccd.planning import plan_moves
-from usdmotion_ccd.ranking import solve_ranks, step
-from usdmotion_ccd.schedule import schedule
+from usdmotion_ccd.schedule import Schedule, schedule
 from usdmotion_ccd.state import Asked, Clip, Parts, Pose, Saved, Settings, Told
 
 
@@ -40,40 +39,44 @@ class CyclicDescent:
         maximum=1,
     )
 
+    threads: int = option(
+        0,
+        "How many threads solve characters that do not look at each other; 0 is one for each core. "
+        "The answer is the same.",
+        minimum=0,
+        maximum=256,
+    )
+
     def solve(self, problem: Problem) -> Solution:
         """Return the motion that meets the tasks in rank order."""
-        cast, known = problem.cast, problem.known
-        plan = schedule(np.array(cast.parents), problem.table)
-        parts = make_parts(problem, self)
+        known, plan = problem.known, schedule(np.array(problem.cast.parents), problem.table)
+        parts = make_parts(problem, plan, self)
         found, told = parts[2], parts[3]
-        if problem.recruited.any() and len(problem.table.kind):
-            call = apart(step, work=parts)
-            first = len(known.stops) if known else 0
-            solve_clip(parts, call, apart(solve_ranks, work=parts, step=call), plan.visits, first)
-        if known:
-            count = len(known.stops)
-            found.translations[:count] = known.translations
-            found.rotations[:count] = known.rotations
-            told.iterations[:count, 0] = known.iterations
-            told.stops[:count, 0] = known.stops
-            told.iterations[:count, 1:] = 0
-            told.stops[:count, 1:] = 0
+        first, last = len(known.stops) if known else 0, problem.cast.frame_count
+        Ensemble(parts, plan, self.threads).solve(first, last)
         iterations, stops = told.iterations.sum(axis=1), told.stops.max(axis=1)
+        if known:
+            found.translations[:first] = known.translations
+            found.rotations[:first] = known.rotations
+            iterations[:first], stops[:first] = known.iterations, known.stops
         return Solution(found.translations, found.rotations, iterations, stops)
 
+    def start(self, problem: Problem) -> Performance:
+        """Return a performance whose first step is the first frame of a problem."""
+        first = problem.during(slice(0, 1))
+        own = {name: np.array(getattr(first.table, name)) for name in OVER_FRAMES}
+        first = replace(first, table=first.table._replace(**own))
+        plan = schedule(np.array(first.cast.parents), first.table)
+        return CyclicPerformance(make_parts(first, plan, self), plan, self.threads)
 
-def make_parts(problem: Problem, settings: CyclicDescent) -> Parts:
+
+def make_parts(problem: Problem, plan: Schedule, settings: CyclicDescent) -> Parts:
     """Return a solve's input, and room for all that it needs on the way."""
     cast, table = problem.cast, problem.table
-    plan = schedule(np.array(cast.parents), table)
     tree, ranks, moves = plan_moves(problem, plan)
     frames, nodes, tasks = cast.frame_count, cast.node_count, len(table.kind)
     characters, count = len(plan.first_node) - 1, len(moves.kind)
     found = Clip(np.array(cast.translations), np.array(cast.rotations))
-    own = np.flatnonzero(tree.limited)
-    if len(own):
-        box = (tree.rests[own], tree.low[own], tree.high[own])
-        found.rotations[:, own] = within_limits(found.rotations[:, own], *box)
     told = Told(*(np.zeros((frames, characters), dtype=np.int64) for _ in range(2)))
     return (
         table,

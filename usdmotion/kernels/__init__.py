@@ -1,7 +1,7 @@
 """Numba kernels: arrays in, arrays out; metres, radians, quaternions xyzw.
 
 `kernel` marks what Python calls; `shared` and `summing` what only kernels call; `apart` and
-`reference` keep a large kernel quick to compile.
+`reference` keep a large kernel quick to compile, and `Prepared` keeps it quick to call.
 """
 
 from usdmotion.kernels.compiling import kernel, shared, summing
@@ -10,6 +10,7 @@ from usdmotion.kernels.kinematics import forward, place, relative, world_points
 from usdmotion.kernels.limits import beyond_limits, limit_boxes, within_limits
 from usdmotion.kernels.parts import Reference, apart, reference
 from usdmotion.kernels.polylines import telling
+from usdmotion.kernels.prepared import Prepared
 from usdmotion.kernels.residuals import is_slack, residuals, task_error
 from usdmotion.kernels.rotations import (
     chordal_mean,
@@ -27,6 +28,7 @@ from usdmotion.kernels.table import OVER_FRAMES, Kind, Shape, TaskTable
 __all__ = [
     "OVER_FRAMES",
     "Kind",
+    "Prepared",
     "Reference",
     "Shape",
     "TaskTable",
