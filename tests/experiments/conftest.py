@@ -1,5 +1,6 @@
 """What every experiment measures: composed stages, through UsdSkel, never the solver's word."""
 
+import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,6 +14,7 @@ from scipy.spatial.transform import Rotation
 from usdmotion import demos, pipeline, usd
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint
+from usdmotion.demos.walker import SKELETON
 from usdmotion.motion import Body
 from usdmotion.report import Report
 
@@ -80,6 +82,12 @@ class Take:
         turn = self.turn(name)
         return np.degrees((turn[:-1].inv() * turn[1:]).magnitude())
 
+    def jolt(self, name: str) -> float:
+        """Return how much a joint's turn from frame to frame changes at most [degrees]."""
+        turn = self.turn(name)
+        steps = (turn[:-1].inv() * turn[1:]).as_rotvec(degrees=True)
+        return float(np.linalg.norm(np.diff(steps, axis=0), axis=1).max())
+
     def center_of_mass(self, body: Body) -> Floats:
         """Return the trajectory of the centre of mass of a demo's body [m], (F, 3)."""
         shares = body.masses / body.masses.sum()
@@ -113,6 +121,24 @@ class Solved:
     def pops(self, name: str) -> float:
         """Return how much faster a joint ever turns than in the input [degrees a frame]."""
         return float(self.after.speed(name).max() - self.before.speed(name).max())
+
+    def jolted(self, *names: str) -> float:
+        """Return how much more abruptly than in the input some joints, or all, ever turn [deg]."""
+        joints = names or self.before.joints
+        return max(self.after.jolt(name) - self.before.jolt(name) for name in joints)
+
+    def on(self, frames: tuple[float, ...]) -> NDArray[np.bool_]:
+        """Return which samples are on the plateau of four key times [time codes]."""
+        return (self.after.times >= frames[1]) & (self.after.times <= frames[2])
+
+    def away(self, frames: tuple[float, ...]) -> NDArray[np.bool_]:
+        """Return which samples are before the first or after the last key time [time codes]."""
+        return (self.after.times <= frames[0]) | (self.after.times >= frames[-1])
+
+    def apart(self, samples: NDArray[np.bool_]) -> float:
+        """Return how far any joint is from where it was, on some samples [mm on 1.7 m]."""
+        moved = self.after.world[samples, :, 3, :3] - self.before.world[samples, :, 3, :3]
+        return self.millimetres(moved)
 
     def turned(self, name: str, over: Callable[[Floats], float] = np.max) -> float:
         """Return how far a joint is ever, or on average, turned from what it was [degrees]."""
@@ -207,6 +233,25 @@ def solve(tmp_path_factory: pytest.TempPathFactory, tell: Callable[[str], None])
 def demo(tmp_path: Path) -> Callable[[str], Path]:
     """Return what builds the stage of a demo."""
     return lambda name: demos.build(name, tmp_path)
+
+
+@pytest.fixture(scope="session")
+def shown(tmp_path_factory: pytest.TempPathFactory, solve: Solve) -> Callable[..., Solved]:
+    """Return what solves a demo with chosen variants of its prims, once."""
+    done: dict[tuple[object, ...], Solved] = {}
+
+    def run(name: str, **variants: str) -> Solved:
+        key = (name, *variants.items())
+        if key not in done:
+            stage = Usd.Stage.Open(str(demos.build(name, tmp_path_factory.mktemp(name))))
+            prims = [prim for prim in stage.Traverse() if prim.HasVariantSets()]
+            for prim, (variant_set, chosen) in itertools.product(prims, variants.items()):
+                prim.GetVariantSets().SetSelection(variant_set, chosen)
+            stage.Save()
+            done[key] = solve(Path(stage.GetRootLayer().realPath), SKELETON)
+        return done[key]
+
+    return run
 
 
 @pytest.fixture(scope="session")

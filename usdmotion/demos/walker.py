@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -12,10 +13,12 @@ from usdmotion.constraints import (
     CenterOfMassConstraint,
     Constraint,
     PositionConstraint,
+    Region,
     RegionConstraint,
 )
 from usdmotion.demos.body import solids
 from usdmotion.demos.gait import Walk
+from usdmotion.motion import Body
 
 RATE = 24.0
 """Frames per second."""
@@ -24,6 +27,8 @@ FIRST = 1.0
 SKELETON = "/Walker/Skeleton"
 VARIANTS = "asked"
 """Name of the variant set of an edit that asks for one thing or another."""
+BODIES = "body"
+"""Name of the variant set of a Skeleton that moves in one way or another."""
 
 
 def write_walk(
@@ -31,8 +36,11 @@ def write_walk(
     walk: Walk,
     edit: str,
     constraints: Sequence[Constraint],
-    variants: Mapping[str, Sequence[Constraint]] | None = None,
+    variants: Mapping[str, Sequence[Constraint]] = MappingProxyType({}),
     *,
+    bodies: Mapping[str, Body] = MappingProxyType({}),
+    props: Sequence[Region] = (),
+    solver: str = "",
     smoothing: float = 0.0,
     passes: int = 1,
 ) -> None:
@@ -44,33 +52,46 @@ def write_walk(
         edit: Name of the MotionEdit, under the Skeleton; "" makes none.
         constraints: What is asked; the last part of each path is the prim's name.
         variants: What is asked besides in each variant of the edit; the first is selected.
+        bodies: What is said of the body in each variant of the Skeleton; the first is selected.
+        props: What stands about.
+        solver: Name of the solver of the edit; "" is the default one.
         smoothing: Cutoff of the filter between two passes [Hz]; 0 is off.
         passes: How often the constraints are enforced.
     """
     path = f"{SKELETON}/{edit}"
     codes = FIRST + np.round(walk.motion.times * RATE)
-    ends = solids()
     with usd.new_stage(
         output, frame_rate=RATE, first=float(codes[0]), last=float(codes[-1]), root="Walker"
     ) as stage:
-        usd.author_character(
-            stage,
-            "/Walker",
-            walk.skeleton,
-            walk.body,
-            walk.motion,
-            walk.parts,
-            time_codes=codes,
-            tip_joints=np.array([each.joint for each in ends]),
-            tip_points=np.array([each.end for each in ends]),
-        )
+        _author_walker(stage, walk, codes)
         if edit:
-            usd.author_edit(stage, path, smoothing=smoothing, passes=passes)
+            usd.author_edit(stage, path, solver=solver, smoothing=smoothing, passes=passes)
+        for prop in props:
+            usd.author_region(stage, prop, time_codes=codes)
         _author(stage, path, constraints, codes)
         # The one that is made last stays selected.
-        for name, asked in reversed(list((variants or {}).items())):
+        for name in reversed(list(variants)):
             with usd.variant(stage, path, VARIANTS, name):
-                _author(stage, path, asked, codes)
+                _author(stage, path, variants[name], codes)
+        for name in reversed(list(bodies)):
+            with usd.variant(stage, SKELETON, BODIES, name):
+                usd.author_body(stage, SKELETON, bodies[name])
+
+
+def _author_walker(stage: Any, walk: Walk, codes: Floats) -> None:
+    """Author who walks, and how."""
+    ends = solids()
+    usd.author_character(
+        stage,
+        "/Walker",
+        walk.skeleton,
+        walk.body,
+        walk.motion,
+        walk.parts,
+        time_codes=codes,
+        tip_joints=np.array([each.joint for each in ends]),
+        tip_points=np.array([each.end for each in ends]),
+    )
 
 
 def _author(stage: Any, path: str, constraints: Sequence[Constraint], codes: Floats) -> None:

@@ -13,7 +13,7 @@ except RegistrationError:  # a plugin that brings a broken schema takes nobody d
 
 from usdmotion.usd.authoring import author, author_edit
 from usdmotion.usd.captures import write_capture
-from usdmotion.usd.character_authoring import author_character
+from usdmotion.usd.character_authoring import author_body, author_character
 from usdmotion.usd.detections import (
     Found,
     author_detections,
@@ -45,6 +45,7 @@ __all__ = [
     "Result",
     "Shot",
     "author",
+    "author_body",
     "author_character",
     "author_contact_guides",
     "author_detections",

@@ -62,7 +62,7 @@ def author_character(
     )
     _author_skeleton(prim, skeleton, matrices_of(positions[0] / unit, orientations[0]), unit)
     _author_names(prim, names)
-    _author_body(prim, body, parts, unit)
+    author_body(stage, f"{path}/Skeleton", body, parts)
     binding = UsdSkel.BindingAPI.Apply(prim)
     binding.CreateAnimationSourceRel().SetTargets([animation.GetPath()])
     spec = stage.GetEditTarget().GetPrimSpecForScenePath(animation.GetPath())
@@ -103,8 +103,16 @@ def _author_names(prim: Usd.Prim, names: Sequence[str]) -> None:
         prim.SetCustomDataByKey("usdmotion:originalNames", Vt.StringArray(list(names)))
 
 
-def _author_body(prim: Usd.Prim, body: Body, parts: Sequence[str], unit: float) -> None:
-    """Author what is known of a body; what is not says nothing."""
+def author_body(stage: Usd.Stage, path: str, body: Body, parts: Sequence[str] = ()) -> None:
+    """Author what is known of a body; what is not says nothing, and leaves what is there.
+
+    Args:
+        stage: Where, in its edit target; its units are the stage's.
+        path: Path of the Skeleton.
+        body: What it weighs, how far it turns, and who moves first.
+        parts: H-Anim name of each joint, "" for none; empty says nothing.
+    """
+    prim, unit = stage.GetPrimAtPath(path), UsdGeom.GetStageMetersPerUnit(stage)
     known = {
         "parts": Vt.TokenArray(list(parts)) if any(parts) else None,
         "masses": _floats(body.masses) if body.masses.any() else None,
