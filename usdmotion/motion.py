@@ -162,6 +162,24 @@ class Placement:
         return cls(np.zeros((frame_count, 3)), np.tile((0.0, 0.0, 0.0, 1.0), (frame_count, 1)))
 
 
+def between_samples(samples: Floats, times: Floats) -> tuple[Ints, Ints, Floats]:
+    """Return which samples are before and after some times, and how far along each time is.
+
+    Args:
+        samples: Seconds, ascending, at least one, shape (sample_count,).
+        times: Seconds, shape (time_count,); before the first and after the last they are held.
+
+    Returns:
+        Two indices and a share in 0..1 for each time, each of shape (time_count,).
+    """
+    last = len(samples) - 1
+    before = np.clip(np.searchsorted(samples, times, side="right") - 1, 0, max(last - 1, 0))
+    after = np.minimum(before + 1, last)
+    span = samples[after] - samples[before]
+    past = np.divide(times - samples[before], span, out=np.zeros(len(times)), where=span > 0.0)
+    return before, after, np.clip(past, 0.0, 1.0)
+
+
 def _freeze(value: object, **arrays: object) -> None:
     for name, array in arrays.items():
         object.__setattr__(value, name, array)

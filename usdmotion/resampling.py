@@ -7,7 +7,7 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.capture import Capture
 from usdmotion.kernels import slerp
-from usdmotion.motion import Motion
+from usdmotion.motion import Motion, between_samples
 
 _SAMPLE_SLACK = 1e-6
 """Parts of a sample by which a clip may end early and keep its last one: times are rounded."""
@@ -21,13 +21,8 @@ def resample(motion: Motion, times: Floats) -> Motion:
         motion: What to resample.
         times: Seconds, ascending, shape (time_count,).
     """
-    own = motion.times
-    before = np.clip(np.searchsorted(own, times, side="right") - 1, 0, max(len(own) - 2, 0))
-    after = np.minimum(before + 1, len(own) - 1)
-    span = own[after] - own[before]
-    past = np.divide(times - own[before], span, out=np.zeros(len(times)), where=span > 0.0)
-    share = np.clip(past, 0.0, 1.0)[:, None]
-
+    before, after, shares = between_samples(motion.times, times)
+    share = shares[:, None]
     start, end = motion.translations[before], motion.translations[after]
     # Both products, not start + share * (end - start), which would miss the end by a rounding.
     translations = (1.0 - share)[..., None] * start + share[..., None] * end

@@ -9,21 +9,14 @@ from usdmotion_bvh import BvhReader
 from usdmotion.arrays import Floats
 from usdmotion.demos.body import humanoid
 from usdmotion.humanoid import PartMap, guess
-from usdmotion.kernels import conjugate, forward, from_vector, multiply, to_vector
+from usdmotion.kernels import from_vector
 from usdmotion.motion import Motion, Placement, Skeleton
 from usdmotion.s4d import Morphology, normalize, restore
 
+from .conftest import apart
+
 UP = {"Y": np.array((0.0, 1.0, 0.0)), "Z": np.array((0.0, 0.0, 1.0))}
 CLIPS = ("cmu/mb/*", "cmu/daz/*", "cmu/daz_hands/*", "cmu/iclone/*", "other/*")
-
-
-def apart(skeleton: Skeleton, a: Motion, b: Motion) -> tuple[float, float]:
-    """Return how far joints are apart at most [m], and how much they are turned [degrees]."""
-    (places, turns), (others, turned) = (
-        forward(skeleton.parents, each.translations, each.rotations) for each in (a, b)
-    )
-    angles = np.linalg.norm(to_vector(multiply(conjugate(turns), turned)), axis=-1)
-    return np.linalg.norm(others - places, axis=-1).max(), np.degrees(angles.max())
 
 
 def there_and_back(

@@ -2,11 +2,13 @@
 
 `NormalizedMotion` is what a motion is when every length is a fraction of the body's own.
 `normalize` takes a motion off a body, `restore` puts it on one; `Morphology` is what they have to
-know of it. `stand` puts a motion onto its footprints, and these onto a ground.
+know of it. `blend` and `warp` mix normalized motions. `stand` puts a motion onto its footprints,
+and these onto a ground.
 """
 
 from usdmotion.s4d.footing import Standing, stand
 from usdmotion.s4d.footprints import Footprint
+from usdmotion.s4d.mixing import blend, warp
 from usdmotion.s4d.morphology import Limb, Morphology
 from usdmotion.s4d.normalized import NormalizedMotion
 from usdmotion.s4d.normalizing import normalize
@@ -18,7 +20,9 @@ __all__ = [
     "Morphology",
     "NormalizedMotion",
     "Standing",
+    "blend",
     "normalize",
     "restore",
     "stand",
+    "warp",
 ]

@@ -1,10 +1,10 @@
 """The normalized motion: a value that depends on no body (2005, section 4)."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from usdmotion.arrays import Floats, seal
+from usdmotion.arrays import Floats, Ints, seal
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -59,6 +59,11 @@ class NormalizedMotion:
     """Translation of each away from rest over leg length, in the axes of what carries it, shape
     (F, O, 3)."""
 
+    def on(self, frames: slice | Ints) -> "NormalizedMotion":
+        """Return the motion on some of its frames."""
+        own = {name: getattr(self, name)[frames] for name in _OVER_TIME}
+        return replace(self, **own)
+
     def __post_init__(self) -> None:
         frames = len(self.times)
         limbs, segments = len(self.limbs), len(self.segments)
@@ -81,3 +86,20 @@ class NormalizedMotion:
             if 0 in shape and np.size(value) == 0:
                 value = np.zeros(tuple(size or 0 for size in shape))
             object.__setattr__(self, name, seal(value, *shape, name=name))
+
+
+_OVER_TIME = (
+    "times",
+    "limb_frames",
+    "limb_lengths",
+    "limb_twists",
+    "segment_rotations",
+    "spine",
+    "root_position",
+    "root_heading",
+    "root_orientation",
+    "carrier_shares",
+    "extra_rotations",
+    "offsets",
+)
+"""The fields that have a value on each frame."""

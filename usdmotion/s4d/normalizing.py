@@ -11,7 +11,8 @@ from usdmotion.s4d.chains import spine_points
 from usdmotion.s4d.limbs import aligned, fold
 from usdmotion.s4d.morphology import Morphology
 from usdmotion.s4d.normalized import NormalizedMotion
-from usdmotion.s4d.places import ENDS, MIDDLES, ROOT, TOPS, carrier
+from usdmotion.s4d.places import MIDDLES, ROOT, TOPS
+from usdmotion.s4d.postures import seen_from_carriers
 from usdmotion.s4d.roots import split_heading
 from usdmotion.s4d.turns import Y, continuous, swing
 
@@ -41,11 +42,12 @@ def normalize(
     body = _Posed(motion, placement, morphology, up)
     segments = tuple(part for part in PARTS if body.has(part) and part not in _LIMB_PARTS)
     limbs, lengths, twists = body.limbs()
-    frames, rotations = body.seen(segments, limbs)
+    turned = {part: body.of(part) for part in (ROOT, *segments)}
+    tops = dict(zip(TOPS, np.moveaxis(limbs, 1, 0), strict=True))
+    frames, rotations = seen_from_carriers(turned, tops, segments)
     heading, orientation = split_heading(body.of(ROOT))
     extras, offsets = body.extras(), body.offsets()
-    spine = [segments.index(morphology.parts.parts[joint]) for joint in morphology.parts.spine]
-    points = spine_points(morphology.measures.spine, _accumulated(rotations[:, spine]))
+    back = multiply(conjugate(body.of(ROOT))[:, None], body.canonical[:, morphology.parts.spine])
     shares = np.zeros((motion.frame_count, 0)) if carrier_shares is None else carrier_shares
     return NormalizedMotion(
         times=motion.times,
@@ -55,7 +57,7 @@ def normalize(
         limb_twists=twists,
         segments=segments,
         segment_rotations=rotations,
-        spine=points,
+        spine=spine_points(morphology.measures.spine, back),
         root_position=body.root(carriers, shares),
         root_heading=heading,
         root_orientation=orientation,
@@ -69,14 +71,6 @@ def normalize(
 
 
 _LIMB_PARTS = (ROOT, *TOPS, *MIDDLES)
-
-
-def _accumulated(rotations: Floats) -> Floats:
-    """(F, N, 4) to (F, N, 4): rotations of a chain, each as seen from what carries the chain."""
-    whole = rotations.copy()
-    for index in range(1, rotations.shape[1]):
-        whole[:, index] = multiply(whole[:, index - 1], rotations[:, index])
-    return whole
 
 
 class _Posed:
@@ -112,21 +106,6 @@ class _Posed:
             for row, way in zip(joints[:2], ways, strict=True)
         )
         return fold(ways, (upper, lower))
-
-    def seen(self, segments: tuple[str, ...], limbs: Floats) -> tuple[Floats, Floats]:
-        """Return the frames of limbs and the rotations of segments as seen from what carries."""
-        bases = np.array([self.body.basis(limb) for limb in self.body.limbs])
-        straight = multiply(limbs, conjugate(bases))
-        frames = np.empty_like(limbs)
-        for index, top in enumerate(TOPS):
-            above = self.of(carrier(top, segments))
-            frames[:, index] = multiply(conjugate(above), limbs[:, index])
-        rotations = np.empty((len(limbs), len(segments), 4))
-        for index, part in enumerate(segments):
-            is_end = part in ENDS
-            above = straight[:, ENDS.index(part)] if is_end else self.of(carrier(part, segments))
-            rotations[:, index] = multiply(conjugate(above), self.of(part))
-        return continuous(frames), continuous(rotations)
 
     def root(self, carriers: tuple[str, ...], shares: Floats) -> Floats:
         """Return the normalized place of the root, shape (F, 3)."""

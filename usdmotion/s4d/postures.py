@@ -1,6 +1,6 @@
 """How the parts of a body are turned in the world by a normalized motion."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -9,9 +9,9 @@ from usdmotion.humanoid import NECK, PARTS, SPINE
 from usdmotion.kernels import conjugate, multiply
 from usdmotion.s4d.anatomy import basis
 from usdmotion.s4d.chains import cut_neck, cut_row, cut_spine
-from usdmotion.s4d.morphology import Morphology
 from usdmotion.s4d.normalized import NormalizedMotion
-from usdmotion.s4d.places import ENDS, FINGERS, MIDDLES, ROOT, carrier
+from usdmotion.s4d.places import ENDS, FINGERS, MIDDLES, ROOT, TOPS, carrier
+from usdmotion.s4d.turns import continuous
 
 _HEAD = "skullbase"
 
@@ -42,14 +42,23 @@ class Postures:
         own = normalized.segment_rotations[:, normalized.segments.index(part)]
         return multiply(self._turned[carrier(part, present)], own)
 
-    def on(self, body: Morphology) -> dict[str, Floats]:
-        """Return how the parts of a body are turned that are in no limb, each (F, 4).
+    def on(
+        self, parts: Iterable[str], spine: Floats, at_rest: Callable[[str, str], Floats]
+    ) -> dict[str, Floats]:
+        """Return how the parts of a body are turned, all but knees and elbows, each (F, 4).
 
         Chains with other joint counts are cut anew; what the motion does not know rests on what
         carries it.
+
+        Args:
+            parts: Those of the body.
+            spine: From its pelvis to the first vertebra, from one to the next, and on to the neck;
+                shape (vertebra_count + 1,).
+            at_rest: Returns how a part rests on another, xyzw, shape (4,).
         """
-        own = [part for part in PARTS if body.parts.joint(part) is not None]
-        found = self._spine(own, body) | self._neck(own)
+        known = set(parts)
+        own = [part for part in PARTS if part in known]
+        found = self._spine(own, spine) | self._neck(own)
         for row in FINGERS:
             found |= self._finger(row, own)
         for part in (part for part in own if part not in found):
@@ -57,17 +66,17 @@ class Postures:
                 found[part] = self._turned[part]
         for part in (part for part in own if part not in found and part not in MIDDLES):
             above = carrier(part, own)
-            found[part] = multiply(found[above], body.at_rest(part, above))
+            found[part] = multiply(found[above], at_rest(part, above))
         return found
 
-    def _spine(self, own: Sequence[str], body: Morphology) -> dict[str, Floats]:
+    def _spine(self, own: Sequence[str], lengths: Floats) -> dict[str, Floats]:
         theirs = self._known(SPINE)
         wanted = [part for part in SPINE if part in own]
         if len(theirs) == len(wanted):
             return self._in_order(theirs, wanted)
         pelvis = self._turned[ROOT][:, None]
         seen = multiply(conjugate(pelvis), self._stack(theirs))
-        cut = cut_spine(self.normalized.spine, seen, body.measures.spine[0])
+        cut = cut_spine(self.normalized.spine, seen, lengths)
         return dict(zip(wanted, np.moveaxis(multiply(pelvis, cut), 1, 0), strict=True))
 
     def _neck(self, own: Sequence[str]) -> dict[str, Floats]:
@@ -104,6 +113,33 @@ class Postures:
 
     def _stack(self, parts: Sequence[str]) -> Floats:
         return np.stack([self._turned[part] for part in parts], axis=1)
+
+
+def seen_from_carriers(
+    turned: Mapping[str, Floats], limbs: Mapping[str, Floats], segments: Sequence[str]
+) -> tuple[Floats, Floats]:
+    """Return the frames of limbs and the rotations of segments as seen from what carries them.
+
+    Args:
+        turned: How the root and each segment is turned in the world, (F, 4).
+        limbs: Frame of each limb in the world by its top, (F, 4).
+        segments: What has a rotation of its own.
+
+    Returns:
+        Quaternions xyzw, shapes (F, limb_count, 4) and (F, segment_count, 4).
+    """
+    frames = [
+        multiply(conjugate(turned[carrier(top, segments)]), limb) for top, limb in limbs.items()
+    ]
+    rotations = []
+    for part in segments:
+        if part in ENDS:
+            top = carrier(part, TOPS)
+            above = multiply(limbs[top], conjugate(basis(top)))
+        else:
+            above = turned[carrier(part, segments)]
+        rotations.append(multiply(conjugate(above), turned[part]))
+    return continuous(np.stack(frames, axis=1)), continuous(np.stack(rotations, axis=1))
 
 
 def _phalanges(row: Sequence[str]) -> Sequence[str]:

@@ -97,7 +97,8 @@ def _orientations(
     """Return the orientation of every joint that is a part in the world, y up, each (F, 4)."""
     postures = Postures(normalized)
     wanted = {}
-    for part, turned in postures.on(body).items():
+    parts = filter(None, body.parts.parts)
+    for part, turned in postures.on(parts, body.measures.spine[0], body.at_rest).items():
         joint = body.joint(part)
         wanted[joint] = multiply(turned, conjugate(body.part_frames[joint]))
     for index, limb in enumerate(body.limbs):

@@ -23,6 +23,8 @@ _MOST_FRAMES = 500
 """Postures that are looked at, evenly over the clip."""
 _NEAR = np.radians(40.0)
 """How far from a turn by right angles a joint may be on average to be meant as that."""
+_STILL = np.radians(2.0)
+"""Median turn away from its mean of a joint that hardly moves."""
 _STANDING = 0.1
 """Share of the frames, the slowest and lowest ones, in which a foot is taken to stand."""
 _RIGHT_ANGLES = Rotation.create_group("O").as_quat()
@@ -61,8 +63,15 @@ class Stance:
 
 
 def _usual(rotations: Floats) -> Floats:
-    """(F, 4) to (4,): the mean, or the turn by right angles that it is near."""
+    """(F, 4) to (4,): the mean, or of a joint that moves the turn by right angles that it is near.
+
+    The mean of a joint that moves depends on what it does in the clip; that of one that hardly
+    does is how it is built.
+    """
     mean = chordal_mean(rotations, np.ones(len(rotations)))
+    turns = np.linalg.norm(to_vector(multiply(conjugate(mean), rotations)), axis=-1)
+    if np.median(turns) < _STILL:
+        return mean
     away = np.linalg.norm(to_vector(multiply(conjugate(_RIGHT_ANGLES), mean)), axis=-1)
     nearest = int(np.argmin(away))
     return np.asarray(_RIGHT_ANGLES[nearest] if away[nearest] < _NEAR else mean)
