@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from usdmotion.arrays import Floats
-from usdmotion.demos.body import humanoid
+from usdmotion.demos.body import USUAL, Proportions, humanoid
 from usdmotion.humanoid import PartMap
 from usdmotion.kernels import conjugate, forward, from_vector, multiply, to_vector
 from usdmotion.motion import Motion, Placement, Skeleton
@@ -18,8 +18,8 @@ def body() -> Morphology:
     return built()
 
 
-def built(height: float = 1.7) -> Morphology:
-    skeleton, _, parts = humanoid(height)
+def built(height: float = 1.7, proportions: Proportions = USUAL) -> Morphology:
+    skeleton, _, parts = humanoid(height, proportions=proportions)
     return Morphology.of(skeleton, PartMap(parts))
 
 

@@ -6,6 +6,7 @@ know of it. `blend` and `warp` mix normalized motions. `stand` puts a motion ont
 and these onto a ground.
 """
 
+from usdmotion.s4d.carrying import Held, carriers_of
 from usdmotion.s4d.footing import Standing, stand
 from usdmotion.s4d.footprints import Footprint
 from usdmotion.s4d.mixing import blend, warp
@@ -16,11 +17,13 @@ from usdmotion.s4d.restoring import restore
 
 __all__ = [
     "Footprint",
+    "Held",
     "Limb",
     "Morphology",
     "NormalizedMotion",
     "Standing",
     "blend",
+    "carriers_of",
     "normalize",
     "restore",
     "stand",

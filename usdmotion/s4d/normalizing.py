@@ -1,12 +1,14 @@
 """From a motion of a body to the normalized motion (2005, section 4)."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.humanoid import PARTS
 from usdmotion.kernels import conjugate, forward, multiply, rotate
 from usdmotion.motion import Motion, Placement
-from usdmotion.s4d.carrying import heights_of
+from usdmotion.s4d.carrying import Held, carriers_of, heights_of
 from usdmotion.s4d.chains import spine_points
 from usdmotion.s4d.limbs import aligned, fold
 from usdmotion.s4d.morphology import Morphology
@@ -26,8 +28,7 @@ def normalize(
     morphology: Morphology,
     *,
     up: Floats,
-    carriers: tuple[str, ...] = (),
-    carrier_shares: Floats | None = None,
+    held: Sequence[Held] = (),
 ) -> NormalizedMotion:
     """Return a motion without the body that it was recorded on.
 
@@ -36,8 +37,8 @@ def normalize(
         placement: Where the skeleton's space is, on the same frames.
         morphology: The body.
         up: The direction away from the ground in the world, shape (3,).
-        carriers: The joints that carry the root, each by its H-Anim name; none is the ankles.
-        carrier_shares: How much each carries, shape (F, C), as `carrying` returns them.
+        held: Its contacts: which part, from when to when [s]. They tell what carries the root; a
+            motion without any stands on its feet.
     """
     body = _Posed(motion, placement, morphology, up)
     segments = tuple(part for part in PARTS if body.has(part) and part not in _LIMB_PARTS)
@@ -48,7 +49,7 @@ def normalize(
     heading, orientation = split_heading(body.of(ROOT))
     extras, offsets = body.extras(), body.offsets()
     back = multiply(conjugate(body.of(ROOT))[:, None], body.canonical[:, morphology.parts.spine])
-    shares = np.zeros((motion.frame_count, 0)) if carrier_shares is None else carrier_shares
+    carriers, shares = carriers_of(motion.times, held)
     return NormalizedMotion(
         times=motion.times,
         limbs=TOPS,
