@@ -30,6 +30,7 @@ NAMES = (
     "dice",
     "taps",
     "skating",
+    "growing",
 )
 """Every demo, in the order in which they explain themselves."""
 

@@ -11,8 +11,11 @@ from usdmotion.kernels import rotate
 from usdmotion.s4d.places import ENDS, LIMBS, ROOT
 from usdmotion.s4d.turns import Y
 
-_BALL_HEIGHT = 0.0244
-"""Height of the ball of a foot over its sole, over leg length (as the demonstrations' body)."""
+_BALL_HEIGHT = 0.157011
+"""Height of the ball of a foot over its sole, over the way from ankle to ball (as the
+demonstrations' body): a foot is as thick as it is long, whatever leg it is on."""
+_NO_BALL_HEIGHT = 0.0244
+"""The same over leg length, where a foot has no ball."""
 _ANKLE_HEIGHT = 0.0794
 """Height of an ankle over the sole, over leg length, where a foot has no ball."""
 
@@ -60,11 +63,10 @@ class Measures:
         balls = [part for part in _BALLS if parts.joint(part) is not None]
         ankles = [ENDS[1] if ball.startswith("l") else ENDS[3] for ball in balls]
         ups = [rotate(frames[parts.joint(ankle)], Y) for ankle in ankles]
-        rises = [
-            (place(ankle) - place(ball)) @ up
-            for ankle, ball, up in zip(ankles, balls, ups, strict=True)
-        ]
-        ball_height = _BALL_HEIGHT * leg
+        feet = [place(ankle) - place(ball) for ankle, ball in zip(ankles, balls, strict=True)]
+        rises = [foot @ up for foot, up in zip(feet, ups, strict=True)]
+        sizes = np.linalg.norm(feet, axis=-1) if feet else np.zeros((1, 1))
+        ball_height = _BALL_HEIGHT * sizes.mean(axis=0) if feet else _NO_BALL_HEIGHT * leg
         rise = np.maximum(np.mean(rises, axis=0), 0.0) if rises else 0.0
         return cls(
             limbs=limbs,
