@@ -14,9 +14,9 @@ from usdmotion.s4d.turns import Y
 _BALL_HEIGHT = 0.157011
 """Height of the ball of a foot over its sole, over the way from ankle to ball (as the
 demonstrations' body): a foot is as thick as it is long, whatever leg it is on."""
-_NO_BALL_HEIGHT = 0.0244
+_NO_BALL_HEIGHT = 0.02444
 """The same over leg length, where a foot has no ball."""
-_ANKLE_HEIGHT = 0.0794
+_ANKLE_HEIGHT = 0.07943
 """Height of an ankle over the sole, over leg length, where a foot has no ball."""
 
 
