@@ -19,6 +19,7 @@ GIVES_WAY: dict[str, set[str]] = {
     "above_the_table": set(),  # all is met, what eases in takes a few frames to the limit
     "activation": set(),  # all is met, a few frames still moving in what is free
     "elbow_and_wrist": {"LeftWrist"},
+    "fight": {"Punch"},
     "karate": {"RightAnkle"},
     "karate_weighted": {"LeftHeel", "LeftBall", "LeftAnkle", "Balance", "RightAnkle"},
     "limits": {"LeftWrist", "RightAnkle"},

@@ -31,6 +31,7 @@ def author_character(
     names: Sequence[str] = (),
     tip_joints: Ints = _NO_JOINTS,
     tip_points: Floats = _NO_POINTS,
+    color: tuple[float, float, float] = _COLOR,
 ) -> str:
     """Author a character that stands in the world as its motion says, bound and visible.
 
@@ -45,6 +46,7 @@ def author_character(
         names: What the joints were called where they come from; empty says nothing.
         tip_joints: Joints at which a segment ends freely, shape (tip_count,).
         tip_points: Where it ends in the joint's frame [m], shape (tip_count, 3).
+        color: What it looks like, linear RGB.
 
     Returns:
         Path of the Skeleton.
@@ -71,7 +73,7 @@ def author_character(
     tips = world_points(positions[0, tip_joints], orientations[0, tip_joints], tip_points)
     guide = segment_guide(skeleton.parents, positions[0], tip_joints, tips)
     if len(guide.faces):
-        _author_guide(stage, f"{path}/Guide", prim, guide, unit)
+        _author_guide(stage, f"{path}/Guide", prim, guide, unit, color)
     root.CreateExtentAttr(_extent(skeleton, motion, tip_joints, tip_points, unit))
     return f"{path}/Skeleton"
 
@@ -146,7 +148,12 @@ def _samples(motion: Motion, time_codes: Floats, unit: float) -> Samples:
 
 
 def _author_guide(
-    stage: Usd.Stage, path: str, skeleton: Usd.Prim, guide: SegmentGuide, unit: float
+    stage: Usd.Stage,
+    path: str,
+    skeleton: Usd.Prim,
+    guide: SegmentGuide,
+    unit: float,
+    color: tuple[float, float, float],
 ) -> None:
     mesh = UsdGeom.Mesh.Define(stage, path)
     points = _vectors(guide.points / unit)
@@ -155,7 +162,7 @@ def _author_guide(
     mesh.CreateFaceVertexIndicesAttr(Vt.IntArray(guide.faces.ravel().tolist()))
     mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
     mesh.CreateExtentAttr(UsdGeom.PointBased.ComputeExtent(points))
-    mesh.CreateDisplayColorAttr([_COLOR])
+    mesh.CreateDisplayColorAttr([color])
     binding = UsdSkel.BindingAPI.Apply(mesh.GetPrim())
     binding.CreateSkeletonRel().SetTargets([skeleton.GetPath()])
     joints = Vt.IntArray(guide.joints.tolist())
