@@ -59,19 +59,8 @@ def example(verb: str) -> list[str]:
 
 
 def test_these_are_the_verbs() -> None:
-    assert list(commands()) == [
-        "import",
-        "inspect",
-        "detect",
-        "solve",
-        "clean",
-        "report",
-        "plugins",
-        "demo",
-        "schema path",
-        "schema env",
-        "schema check",
-    ]
+    verbs = "import inspect detect solve clean report normalize retarget plugins demo".split()
+    assert list(commands()) == [*verbs, "schema path", "schema env", "schema check"]
 
 
 @pytest.mark.parametrize("verb", commands())
@@ -90,8 +79,10 @@ def test_every_example_works(verb: str, run: Run, arm_shot: ArmShot, tmp_path: P
     (tmp_path / "walk.bvh").write_text(BVH)
     if verb == "report":
         pipeline.solve(shot, tmp_path / "shot.edit.usda")
-    if verb == "clean":
+    if verb in ("clean", "normalize", "retarget"):
         demos.build("skating", tmp_path).replace(shot)
+    if verb == "retarget":
+        demos.build("nothing_asked", tmp_path).replace(tmp_path / "body.usda")
     said = run(*example(verb))
     assert said.status == 0, said.err
 

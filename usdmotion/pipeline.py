@@ -11,6 +11,7 @@ from usdmotion.answering import Say
 from usdmotion.asking import Asked, Example
 from usdmotion.capture import Capture
 from usdmotion.errors import FileError, InputError
+from usdmotion.normalizing import normalize as normalize
 from usdmotion.options import configured
 from usdmotion.planting import Wish, plant
 from usdmotion.plugins import host
@@ -20,6 +21,7 @@ from usdmotion.report.contacts import DetectionReport
 from usdmotion.report.planting import PlantingReport
 from usdmotion.reporting import report, require_matplotlib
 from usdmotion.resampling import capture_evenly, evenly
+from usdmotion.retargeting import retarget as retarget
 from usdmotion.searching import search
 from usdmotion.session import Session
 

@@ -19,7 +19,7 @@ from usdmotion.constraints import (
     TrajectoryConstraint,
     attribute,
 )
-from usdmotion.travelling import Measures, StaysBehind, Traveller, Way, carried
+from usdmotion.travelling import Meanings, StaysBehind, Traveller, Way, carried
 
 HERE, AWAY = "/World/Walker/Skeleton", "/Walk"
 Z_UP = Rotation.from_euler("x", -90, degrees=True).as_quat()
@@ -36,16 +36,16 @@ def body(leg=0.9, standing=0.1, seed=1, path=HERE, **changes):
         "leg": leg,
         "standing": {"l_talocrural": standing},
     }
-    return Measures(**given | changes)
+    return Meanings(**given | changes)
 
 
-def out(traveller, measures=None, there=AWAY):
-    measures = measures or body()
-    return carried(traveller, {measures.path: Way(measures, False, there)})
+def out(traveller, meanings=None, there=AWAY):
+    meanings = meanings or body()
+    return carried(traveller, {meanings.path: Way(meanings, False, there)})
 
 
-def onto(traveller, measures, known=PARTS, at=AWAY):
-    return carried(traveller, {at: Way(measures, True, measures.path, known)})
+def onto(traveller, meanings, known=PARTS, at=AWAY):
+    return carried(traveller, {at: Way(meanings, True, meanings.path, known)})
 
 
 def turns(seed):
@@ -122,10 +122,10 @@ def assert_same(one, other):
 @pytest.mark.parametrize("constraint", KINDS, ids=lambda each: type(each).__name__)
 @pytest.mark.parametrize("turn", [(0.0, 0.0, 0.0, 1.0), Z_UP], ids="YZ")
 def test_there_and_back_is_what_it_was(constraint, turn):
-    measures = body(turn=np.array(turn))
-    away = out(Traveller("Any", constraint), measures)
+    meanings = body(turn=np.array(turn))
+    away = out(Traveller("Any", constraint), meanings)
     assert away.constraint.skeleton == AWAY
-    assert_same(onto(away, measures).constraint, constraint)
+    assert_same(onto(away, meanings).constraint, constraint)
 
 
 @pytest.mark.parametrize("constraint", KINDS, ids=lambda each: type(each).__name__)
@@ -178,8 +178,8 @@ def test_a_part_is_turned_in_the_world_as_it_was_whatever_the_axes_of_its_joint(
     held = a(ContactConstraint, joint="Hips/Foot", orientation=turns(9))
     found = onto(out(Traveller("Any", held), one), other).constraint
 
-    def part(measures, orientation):
-        return Rotation.from_quat(orientation) * Rotation.from_quat(measures.frames[4])
+    def part(meanings, orientation):
+        return Rotation.from_quat(orientation) * Rotation.from_quat(meanings.frames[4])
 
     apart = part(one, held.orientation).inv() * part(other, found.orientation)
     assert apart.magnitude() == pytest.approx(0.0, abs=1e-12)

@@ -51,3 +51,9 @@ Templates = Annotated[
         help="An example, in time codes, from which noise is learnt; may be repeated.",
     ),
 ]
+Contacts = Annotated[
+    bool,
+    typer.Option(
+        "--contacts/--no-contacts", help="Look for contacts of feet where there are none."
+    ),
+]

@@ -4,9 +4,26 @@ A constraint of any kind, ours or a third party's, is carried field by field: wh
 say of unit and frame says what is a length, in whose frame it is, and whose orientation.
 """
 
-from usdmotion.travelling.carrying import Traveller, carried
-from usdmotion.travelling.measures import Measures
+from usdmotion.travelling.carrying import Traveller, bodies, carried
+from usdmotion.travelling.feet import with_own_feet
+from usdmotion.travelling.footprints import contacts_of_feet, footprints_of
+from usdmotion.travelling.luggage import Left, Luggage
+from usdmotion.travelling.meanings import Meanings
 from usdmotion.travelling.settings import Settings
 from usdmotion.travelling.ways import StaysBehind, Turned, Way
 
-__all__ = ["Measures", "Settings", "StaysBehind", "Traveller", "Turned", "Way", "carried"]
+__all__ = [
+    "Left",
+    "Luggage",
+    "Meanings",
+    "Settings",
+    "StaysBehind",
+    "Traveller",
+    "Turned",
+    "Way",
+    "bodies",
+    "carried",
+    "contacts_of_feet",
+    "footprints_of",
+    "with_own_feet",
+]

@@ -57,6 +57,22 @@ def carried(traveller: Traveller, ways: Mapping[str, Way]) -> Traveller:
     return replace(traveller, constraint=replace(constraint, **changed))
 
 
+def bodies(traveller: Traveller) -> set[str]:
+    """Return what stands for every body that a constraint is about, at this end."""
+    constraint: Any = traveller.constraint
+    named = {constraint.skeleton}
+    named |= {goal.joint[0] for goal in constraint.goals if goal.joint is not None}
+    named |= {
+        getattr(constraint, each.field)
+        for each in relations(type(constraint))
+        if each.target == "skeleton"
+    }
+    space = getattr(constraint, "space", None)
+    if space is not None and space.joint is not None:
+        named.add(space.joint[0])
+    return named - {""}
+
+
 def _token_fields(kind: type[Constraint]) -> dict[str, str]:
     """Return the fields of a kind that hold names of joints, and what says whose they are."""
     own = {"joint": "skeleton", "recruits": "skeleton"}

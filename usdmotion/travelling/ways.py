@@ -6,7 +6,7 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.kernels import conjugate, multiply, rotate
-from usdmotion.travelling.measures import Measures
+from usdmotion.travelling.meanings import Meanings
 
 _UP = np.array([0.0, 1.0, 0.0])
 
@@ -19,7 +19,7 @@ class StaysBehind(Exception):
 class Way:
     """From a body to normalized lengths and parts, or back."""
 
-    measures: Measures
+    meanings: Meanings
     """The body."""
     onto: bool
     """Whether it leads onto the body; else from it."""
@@ -31,12 +31,12 @@ class Way:
     @property
     def scale(self) -> float:
         """What a length is multiplied by."""
-        return self.measures.leg if self.onto else 1.0 / self.measures.leg
+        return self.meanings.leg if self.onto else 1.0 / self.meanings.leg
 
     @property
     def world(self) -> Floats:
         """Rotation of the world, xyzw."""
-        return conjugate(self.measures.turn) if self.onto else self.measures.turn
+        return conjugate(self.meanings.turn) if self.onto else self.meanings.turn
 
     def name(self, name: str) -> str:
         """Return what a joint is called at the other end.
@@ -45,7 +45,7 @@ class Way:
             StaysBehind: There is no such joint.
         """
         joint = self.joint(name)
-        return self.measures.joints[joint] if self.onto else self.measures.called(joint)
+        return self.meanings.joints[joint] if self.onto else self.meanings.called(joint)
 
     def names(self, names: tuple[str, ...]) -> tuple[str, ...]:
         """Return what recruited joints are called at the other end.
@@ -55,14 +55,14 @@ class Way:
         """
         if not names or not self.onto:
             return tuple(self.name(each) for each in names)
-        found = self.measures.recruited(names, self.known)
+        found = self.meanings.recruited(names, self.known)
         if not found:
             raise StaysBehind(f"it may move {_listed(names)} alone, none of which is there")
-        return tuple(self.measures.joints[joint] for joint in found)
+        return tuple(self.meanings.joints[joint] for joint in found)
 
     def has(self, name: str) -> bool:
         """Tell whether there is a joint of that name."""
-        return self.measures.named(name) is not None
+        return self.meanings.named(name) is not None
 
     def joint(self, name: str) -> int:
         """Return the joint that a name means on the body.
@@ -70,14 +70,14 @@ class Way:
         Raises:
             StaysBehind: There is none.
         """
-        joint = self.measures.named(name)
+        joint = self.meanings.named(name)
         if joint is None:
             raise StaysBehind(f"there is no joint '{name}'")
         return joint
 
     def frame(self, name: str) -> Floats:
         """Return the rotation from the frame of a joint to that of its part, or back, xyzw."""
-        frame = np.asarray(self.measures.frames[self.joint(name)])
+        frame = np.asarray(self.meanings.frames[self.joint(name)])
         return frame if self.onto else conjugate(frame)
 
     def place(self, places: Floats, joint: str) -> Floats:
@@ -87,8 +87,8 @@ class Way:
             places: Shape (…, 3).
             joint: What the joint is called; "" is none.
         """
-        part = self.measures.parts[self.joint(joint)] if joint else ""
-        height = self.measures.standing.get(part, 0.0) * _UP
+        part = self.meanings.parts[self.joint(joint)] if joint else ""
+        height = self.meanings.standing.get(part, 0.0) * _UP
         if self.onto:
             return np.asarray(rotate(self.world, places * self.scale + height))
         return np.asarray((rotate(self.world, places) - height) * self.scale)
@@ -99,7 +99,7 @@ class Way:
 
     def axes(self, letters: str) -> str:
         """Return along which axes of the world something is held."""
-        if np.array_equal(self.measures.turn, (0.0, 0.0, 0.0, 1.0)):
+        if np.array_equal(self.meanings.turn, (0.0, 0.0, 0.0, 1.0)):
             return letters
         return letters.translate(str.maketrans("yz", "zy"))
 

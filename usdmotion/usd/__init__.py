@@ -26,7 +26,7 @@ from usdmotion.usd.guides import author_contact_guides
 from usdmotion.usd.inspected import Inspection
 from usdmotion.usd.inspection import inspect
 from usdmotion.usd.new_stages import new_stage
-from usdmotion.usd.normalized import author_normalized, read_normalized
+from usdmotion.usd.normalized import author_normalized, read_normalized, write_normalized
 from usdmotion.usd.outputs import require_apart
 from usdmotion.usd.overlays import Overlay
 from usdmotion.usd.planting import author_keeping, author_passes, edits_of
@@ -73,5 +73,6 @@ __all__ = [
     "variant",
     "write",
     "write_capture",
+    "write_normalized",
     "write_recording",
 ]

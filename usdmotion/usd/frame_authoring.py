@@ -19,7 +19,13 @@ _SAME = 1e-6
 
 
 def in_units(
-    constraint: Constraint, prim: Usd.Prim, edit: Usd.Prim | None, codes: Floats, facts: Facts
+    constraint: Constraint,
+    prim: Usd.Prim,
+    edit: Usd.Prim | None,
+    codes: Floats,
+    facts: Facts,
+    *,
+    prop: Floats | None = None,
 ) -> Constraint:
     """Return a constraint whose lengths, over the stage's unit, are what its prim should say.
 
@@ -29,6 +35,8 @@ def in_units(
         edit: Its MotionEdit.
         codes: Time code of each frame.
         facts: Units and rates of the stage.
+        prop: Scale of the prop in whose frame its places are, in metres there, shape (3,); None is
+            the space of the constraint.
 
     Raises:
         SceneError: A frame moves or changes its scale, and a value is one for the whole shot.
@@ -38,7 +46,9 @@ def in_units(
         given = np.asarray(getattr(constraint, each.field)) if each.frame else None
         if given is None or not given.size or (each.unit != "length" and each.frame != "space"):
             continue
-        if each.frame == "space":
+        if each.frame == "space" and prop is not None:
+            changed[each.field] = given / prop if each.unit == "length" else given
+        elif each.frame == "space":
             changed[each.field] = _in_space(constraint, each, given, prim, codes, facts)
         elif not np.any(given):
             continue

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pxr import Sdf, Usd
+from pxr import Sdf, Usd, Vt
 
 from usdmotion.errors import SceneError
 from usdmotion.usd.layers import relative, require_writable, save
@@ -49,7 +49,11 @@ class Overlay:
     def remember(self, **said: Any) -> None:
         """Let the layer say of itself how it was made, on top of what it says already."""
         layer = self.stage.GetRootLayer()
-        told = {**recorded(layer), "version": own_version(), **said}
+        plain = {
+            name: Vt.StringArray(list(value)) if isinstance(value, tuple) else value
+            for name, value in said.items()
+        }
+        told = {**recorded(layer), "version": own_version(), **plain}
         layer.customLayerData = {**layer.customLayerData, "usdmotion": told}
 
     def write(self) -> None:

@@ -22,13 +22,14 @@ BENT = 20.0
 """How far toes may bend while the ball of their foot stands [degrees]."""
 
 
-def author_feet(stage: Usd.Stage, joints: Sequence[str] = ()) -> tuple[str, ...]:
+def author_feet(stage: Usd.Stage, joints: Sequence[str] = (), *, edit: str = "") -> tuple[str, ...]:
     """Make a detection for each joint of feet that has none, in the edit target of a stage.
 
     Args:
         stage: The stage.
         joints: The joints that stand, as tokens, leaf names or H-Anim names; none takes the ankles
             and balls of the feet of every skeleton of which they are known.
+        edit: Path of the only MotionEdit whose skeleton is looked at; "" looks at all.
 
     Returns:
         Paths of the detections.
@@ -37,7 +38,7 @@ def author_feet(stage: Usd.Stage, joints: Sequence[str] = ()) -> tuple[str, ...]
         SceneError: Nobody knows which joints are feet, or a named one is not there, or what is
             found on one could not be solved.
     """
-    survey, places = Survey(stage), Places(stage)
+    survey, places = Survey(stage, edit), Places(stage)
     watched = find_watched(survey, Asked(joints=tuple(joints) or _known(survey)))
     found = [(each, places.of(each)) for each in watched]
     for each, place in found:

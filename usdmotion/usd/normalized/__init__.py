@@ -1,22 +1,70 @@
-"""Normalized motions and what travels with them, as prims."""
+"""Normalized motions and what travels with them, as prims: files, where they come from and go."""
 
-from usdmotion.usd.normalized.gathering import Left, gather
+from usdmotion.usd.normalized.files import normalized_prims, read_luggage, write_normalized
+from usdmotion.usd.normalized.gathering import gather
 from usdmotion.usd.normalized.motions import author_normalized, read_normalized
-from usdmotion.usd.normalized.settings import author_settings, read_settings
-from usdmotion.usd.normalized.travellers import (
-    author_travellers,
-    normalized_prims,
-    read_travellers,
+from usdmotion.usd.normalized.placing import place_travellers
+from usdmotion.usd.normalized.recorded import (
+    FEET,
+    Recorded,
+    carry,
+    feet_of,
+    fingerprint,
+    read_recorded,
 )
+from usdmotion.usd.normalized.settings import author_settings, read_settings
+from usdmotion.usd.normalized.subjects import (
+    Subject,
+    bodies_of,
+    find_subjects,
+    in_edit_of,
+    morphology_of,
+    name_of,
+    notes_of,
+    read_sittings,
+)
+from usdmotion.usd.normalized.targets import (
+    Target,
+    author_animation,
+    edit_path,
+    find_target,
+    read_target,
+    set_range,
+    ways_onto,
+)
+from usdmotion.usd.normalized.travellers import author_travellers, read_travellers
 
 __all__ = [
-    "Left",
+    "FEET",
+    "Recorded",
+    "Subject",
+    "Target",
+    "author_animation",
     "author_normalized",
     "author_settings",
     "author_travellers",
+    "bodies_of",
+    "carry",
+    "edit_path",
+    "feet_of",
+    "find_subjects",
+    "find_target",
+    "fingerprint",
     "gather",
+    "in_edit_of",
+    "morphology_of",
+    "name_of",
     "normalized_prims",
+    "notes_of",
+    "place_travellers",
+    "read_luggage",
     "read_normalized",
+    "read_recorded",
     "read_settings",
+    "read_sittings",
+    "read_target",
     "read_travellers",
+    "set_range",
+    "ways_onto",
+    "write_normalized",
 ]

@@ -1,7 +1,7 @@
 """The constraints of an edit, ready to leave their body: in the world, in joints, or in props."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,7 +10,7 @@ from pxr import Usd
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint, Goal, Space, attributes
 from usdmotion.kernels import multiply, rotate
-from usdmotion.travelling import StaysBehind, Traveller
+from usdmotion.travelling import Left, StaysBehind, Traveller
 from usdmotion.usd.attributes import collapse
 from usdmotion.usd.characters import Sitting
 from usdmotion.usd.constraints import constraint_prims, goal_prims, read_constraint
@@ -19,16 +19,6 @@ from usdmotion.usd.shot import Facts
 from usdmotion.usd.transforms import local_matrices, rigid, world_matrices
 
 _SAME = 1e-9
-
-
-@dataclass(frozen=True)
-class Left:
-    """A constraint that does not travel."""
-
-    name: str
-    """Its path below the edit."""
-    why: str
-    """A clause."""
 
 
 def gather(

@@ -10,13 +10,13 @@ from pxr import Sdf, Usd
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint, Goal, Region, Space, relations
 from usdmotion.kernels import conjugate
-from usdmotion.travelling import Measures, Traveller, Turned, Way, carried
+from usdmotion.travelling import Meanings, Traveller, Turned, Way, carried
 from usdmotion.usd.attribute_authoring import author_fields, define
 from usdmotion.usd.attributes import collapse, read_fields
 from usdmotion.usd.constraints import goal_prims, is_constraint
 from usdmotion.usd.goal_authoring import author_transform
 from usdmotion.usd.normalized.axes import to_y_up
-from usdmotion.usd.relations import is_a, value
+from usdmotion.usd.relations import value
 from usdmotion.usd.shot import Facts
 from usdmotion.usd.stages import read_facts
 from usdmotion.usd.transforms import local_matrices, rigid
@@ -94,7 +94,7 @@ class _Everywhere(dict[str, Way]):
 def _between(facts: Facts, path: str, *, back: bool) -> Turned:
     """Return the way from the axes of a stage to those with y up, or back."""
     turn = to_y_up(facts)
-    nobody = Measures(
+    nobody = Meanings(
         path=path,
         joints=(),
         parts=(),
@@ -186,9 +186,3 @@ def _named(prim: Usd.Prim, relationship: str) -> str:
     there = prim.GetRelationship(relationship)
     paths = there.GetTargets() if there else ()
     return str(paths[0]) if paths else ""
-
-
-def normalized_prims(stage: Usd.Stage) -> list[Usd.Prim]:
-    """Return the MotionNormalized prims of a stage."""
-    prims = Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
-    return [prim for prim in prims if is_a(prim, "UsdMotionNormalized")]

@@ -8,13 +8,15 @@ import numpy as np
 
 from usdmotion.arrays import Floats, seal
 from usdmotion.humanoid import NECK, SPINE
+from usdmotion.s4d import Morphology
+from usdmotion.s4d.turns import swing
 
 _NO_TURN = np.array([0.0, 0.0, 0.0, 1.0])
 _COLUMNS = (SPINE, NECK)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Measures:
+class Meanings:
     """A body as what is said about it has to know it."""
 
     path: str
@@ -37,6 +39,30 @@ class Measures:
         count = len(self.joints)
         object.__setattr__(self, "frames", seal(self.frames, count, 4, name="frames"))
         object.__setattr__(self, "turn", seal(self.turn, 4, name="turn"))
+
+    @classmethod
+    def of(cls, path: str, morphology: Morphology, up: Floats) -> "Meanings":
+        """Return what things mean on a body.
+
+        Args:
+            path: Path of the Skeleton.
+            morphology: The body.
+            up: The direction away from the ground in its world, shape (3,).
+        """
+        lengths = morphology.measures
+        heights = {
+            "talocrural": float(lengths.ankle_height[0]),
+            "metatarsophalangeal": float(lengths.ball_height[0]),
+        }
+        return cls(
+            path=path,
+            joints=morphology.skeleton.joints,
+            parts=morphology.parts.parts,
+            frames=morphology.part_frames,
+            leg=morphology.leg_length,
+            standing={f"{side}_{part}": each for side in "lr" for part, each in heights.items()},
+            turn=swing(np.asarray(up, dtype=np.float64), np.array([0.0, 1.0, 0.0])),
+        )
 
     @cached_property
     def _index(self) -> dict[str, int]:

@@ -1,0 +1,176 @@
+"""One motion on any body: another skeleton, other axes, units and places; its own gets it back."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from pxr import Gf, Usd, UsdGeom, UsdSkel
+
+from usdmotion import demos, pipeline, usd
+from usdmotion.demos.body import Proportions
+from usdmotion.demos.people import person
+from usdmotion.motion import Motion
+
+SKELETON = "/Walker/Skeleton"
+SHORT = Proportions(legs=0.8, arms=1.1, width=1.2, feet=1.15)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Return a folder with a walk that skates, and its normalized motion."""
+    folder = tmp_path_factory.mktemp("retargeting")
+    demos.build("skating", folder)
+    pipeline.normalize(folder / "skating.usda", folder / "walk.s4d.usda")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def body(folder):
+    """Return what writes a stage with somebody at rest, and says how long his legs are."""
+
+    def write(name, *, up="Y", unit=0.01, rate=24.0, animated=False, **made):
+        path = folder / name
+        if path.exists():
+            return path
+        somebody = person(**made, z_up=up == "Z")
+        stage = Usd.Stage.CreateNew(str(path))
+        UsdGeom.SetStageUpAxis(stage, up)
+        UsdGeom.SetStageMetersPerUnit(stage, unit)
+        stage.SetTimeCodesPerSecond(rate)
+        shape = somebody.skeleton
+        still = Motion(np.zeros(1), shape.rest_translations[None], shape.rest_rotations[None])
+        codes = np.array([1.0])
+        parts = somebody.parts
+        usd.author_character(stage, "/Body", shape, somebody.body, still, parts, time_codes=codes)
+        if not animated:
+            stage.RemovePrim("/Body/Animation")
+            UsdSkel.BindingAPI(
+                stage.GetPrimAtPath("/Body/Skeleton")
+            ).GetAnimationSourceRel().ClearTargets(True)
+        stage.SetDefaultPrim(stage.GetPrimAtPath("/Body"))
+        stage.GetRootLayer().Save()
+        return path
+
+    return write
+
+
+@dataclass
+class Shown:
+    """What UsdSkel shows of a skeleton, in a world with y up, in metres and seconds."""
+
+    times: np.ndarray
+    places: np.ndarray
+    turns: np.ndarray
+    names: list
+
+    def at(self, name):
+        return self.places[:, self.names.index(name)]
+
+
+def shown(path, skeleton="/Body/Skeleton"):
+    stage = Usd.Stage.Open(str(path))
+    prim = stage.GetPrimAtPath(skeleton)
+    cache = UsdSkel.Cache()
+    cache.Populate(UsdSkel.Root.Find(prim), Usd.TraverseInstanceProxies())
+    query = cache.GetSkelQuery(UsdSkel.Skeleton(prim))
+    codes = query.GetAnimQuery().GetJointTransformTimeSamples()
+    unit = UsdGeom.GetStageMetersPerUnit(stage)
+    matrices = np.array(
+        [
+            [
+                np.array(
+                    Gf.Matrix4d(each) * UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(code)
+                )
+                for each in query.ComputeJointSkelTransforms(code)
+            ]
+            for code in codes
+        ]
+    )
+    places = matrices[:, :, 3, :3] * unit
+    if UsdGeom.GetStageUpAxis(stage) == "Z":
+        places = places[..., [0, 2, 1]] * (1.0, 1.0, -1.0)
+    names = [str(each).rsplit("/", 1)[-1] for each in query.GetJointOrder()]
+    return Shown(
+        np.array(codes) / stage.GetTimeCodesPerSecond(), places, matrices[:, :, :3, :3], names
+    )
+
+
+def contacts(path):
+    """Return joint, first and last second of each contact that is on a stage."""
+    stage = Usd.Stage.Open(str(path))
+    rate = stage.GetTimeCodesPerSecond()
+    return [
+        (
+            prim.GetAttribute("usdmotion:joint").Get().rsplit("/", 1)[-1],
+            *(float(code) / rate for code in prim.GetAttribute("usdmotion:times").Get()[1:3]),
+        )
+        for prim in stage.Traverse()
+        if prim.GetTypeName() == "MotionContactConstraint"
+    ]
+
+
+def stances(take, held):
+    """Return where a joint is on each sample of a contact."""
+    joint, start, end = held
+    return take.at(joint)[(take.times >= start - 1e-6) & (take.times <= end + 1e-6)]
+
+
+def test_a_skeleton_gets_its_own_motion_back(folder):
+    shot, output = folder / "skating.usda", folder / "same.usda"
+    told = pipeline.retarget(shot, shot, output)
+    before, after = shown(shot, SKELETON), shown(output, SKELETON)
+    assert np.linalg.norm(after.places - before.places, axis=-1).max() < 1e-4
+    cosines = np.einsum("fjab,fjab->fj", after.turns, before.turns)
+    assert np.degrees(np.arccos(np.clip((cosines - 1.0) / 2.0, -1.0, 1.0))).max() < 0.1
+    assert any("gets it back as it was" in note for note in told.notes)
+
+
+BODIES = {
+    "other lengths": {"proportions": SHORT},
+    "z up in metres": {"up": "Z", "unit": 1.0, "rest": "A", "axes": 3, "height": 1.3},
+    "other joints": {"naming": "unreal", "vertebrae": 5, "finger_joints": 2, "twists": True},
+    "another rate": {"rate": 30.0, "height": 2.0, "rest": "I", "animated": True},
+}
+
+
+@pytest.mark.parametrize("name", BODIES)
+def test_feet_stand_on_any_body_as_they_stood(folder, body, name):
+    target = body(f"{name.replace(' ', '_')}.usda", **BODIES[name])
+    output = target.with_suffix(".walk.usda")
+    told = pipeline.retarget(folder / "walk.s4d.usda", target, output)
+    take = shown(output)
+    held = contacts(output)
+    assert len(held) == 12
+    for each in held:
+        places = stances(take, each)
+        assert np.linalg.norm(places - places.mean(axis=0), axis=-1).max() < 2e-3
+    source = shown(folder / "skating.usda", SKELETON)
+    was = [each for each in contacts(folder / "walk.s4d.usda") if each[0].endswith("phalangeal")]
+    balls = [each for each in held if each[0] in names_of(target, "metatarsophalangeal")]
+    assert len(balls) == len(was) == 6
+    before = steps_of([stances(source, (BALLS[part], *span)) for part, *span in was])
+    after = steps_of([stances(take, each) for each in balls])
+    np.testing.assert_allclose(after / told.leg, before / LEG, rtol=0.01)
+
+
+LEG = 0.8349
+BALLS = {"l_metatarsophalangeal": "LeftToeBase", "r_metatarsophalangeal": "RightToeBase"}
+
+
+def names_of(target, word):
+    """Return the names of the joints of a body that are a part."""
+    stage = Usd.Stage.Open(str(target))
+    prim = stage.GetPrimAtPath("/Body/Skeleton")
+    joints = prim.GetAttribute("joints").Get()
+    parts = prim.GetAttribute("usdmotion:parts").Get()
+    return [
+        str(joint).rsplit("/", 1)[-1]
+        for joint, part in zip(joints, parts, strict=True)
+        if part.endswith(word)
+    ]
+
+
+def steps_of(stood):
+    """Return how far it is along the ground from each stance to the next."""
+    flat = np.array([places.mean(axis=0) for places in stood])[:, [0, 2]]
+    return np.linalg.norm(flat[1:] - flat[:-1], axis=-1)
