@@ -6,7 +6,7 @@ say of unit and frame says what is a length, in whose frame it is, and whose ori
 
 from usdmotion.travelling.carrying import Traveller, bodies, carried
 from usdmotion.travelling.feet import with_own_feet
-from usdmotion.travelling.footprints import contacts_of_feet, footprints_of
+from usdmotion.travelling.footprints import contacts_of_feet, footprints_of, held_by
 from usdmotion.travelling.luggage import Left, Luggage
 from usdmotion.travelling.meanings import Meanings
 from usdmotion.travelling.settings import Settings
@@ -25,5 +25,6 @@ __all__ = [
     "carried",
     "contacts_of_feet",
     "footprints_of",
+    "held_by",
     "with_own_feet",
 ]

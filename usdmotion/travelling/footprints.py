@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from usdmotion.constraints import ContactConstraint
 from usdmotion.kernels import rotate
-from usdmotion.s4d import Footprint
+from usdmotion.s4d import Footprint, Held
 from usdmotion.travelling.carrying import Traveller
 from usdmotion.travelling.meanings import Meanings
 
@@ -21,6 +21,18 @@ def contacts_of_feet(
         part = "" if joint is None else body.parts[joint]
         if isinstance(constraint, ContactConstraint) and part in _FEET:
             yield each.name, part, constraint
+
+
+def held_by(travellers: Sequence[Traveller], body: Meanings) -> list[Held]:
+    """Return the parts of a body that contacts hold, and when."""
+    held = []
+    for each in travellers:
+        contact = each.constraint
+        joint = body.named(contact.joint) if contact.joint else None
+        part = "" if joint is None else body.parts[joint]
+        if isinstance(contact, ContactConstraint) and part and contact.times:
+            held.append((part, *_ends(contact)))
+    return held
 
 
 def footprints_of(travellers: Sequence[Traveller], body: Meanings) -> tuple[Footprint, ...]:
@@ -50,12 +62,18 @@ def _says_where(contact: ContactConstraint) -> bool:
 
 
 def _footprint(part: str, contact: ContactConstraint) -> Footprint:
-    ends = contact.times[1:3] if len(contact.times) > 2 else contact.times
+    start, end = _ends(contact)
     turned = contact.kind == "space"
     return Footprint(
         part=part,
-        start=ends[0],
-        end=ends[-1],
+        start=start,
+        end=end,
         place=contact.location - rotate(contact.orientation, contact.point),
         rotation=contact.orientation if turned else None,
     )
+
+
+def _ends(contact: ContactConstraint) -> tuple[float, float]:
+    """Return when a contact that has times is fully on, first and last [s]."""
+    times = contact.times[1:3] if len(contact.times) > 2 else contact.times
+    return times[0], times[-1]

@@ -19,6 +19,7 @@ from usdmotion.travelling import (
     Way,
     carried,
     contacts_of_feet,
+    held_by,
 )
 from usdmotion.usd.characters import Sitting
 from usdmotion.usd.normalized.gathering import gather
@@ -69,6 +70,7 @@ def read_recorded(
     codes, sittings = read_sittings(subject, frames, facts)
     sitting = sittings[subject.path]
     body, character = morphology_of(subject.skeleton, sitting), sitting.character
+    meanings = Meanings.of(subject.path, body, facts.up)
     on_body: tuple[Traveller, ...] = ()
     left: tuple[Left, ...] = ()
     if subject.edit is not None:
@@ -76,7 +78,13 @@ def read_recorded(
     travellers, behind = carry(on_body, _ways(stage, subject, sittings, name, facts))
     luggage = Luggage(
         name=name,
-        motion=normalize(character.motion, character.placement, body, up=facts.up),
+        motion=normalize(
+            character.motion,
+            character.placement,
+            body,
+            up=facts.up,
+            held=held_by(on_body, meanings),
+        ),
         first=float(codes[0]) / facts.time_codes_per_second,
         travellers=travellers,
         left=(*left, *behind),
@@ -85,7 +93,7 @@ def read_recorded(
         body=fingerprint(body),
         source=str(subject.animation.GetPath()),
     )
-    feet = contacts_of_feet(on_body, Meanings.of(subject.path, body, facts.up))
+    feet = contacts_of_feet(on_body, meanings)
     contacts = {name: contact for name, _, contact in feet}
     return Recorded(luggage, body, character, contacts, subject)
 
