@@ -75,6 +75,18 @@ def bend_limb(work: Work, frame: int, character: int, rank: int, move: int, scal
 
 
 @shared
+def stretch(work: Work, move: int) -> float:
+    """Return how long a limb is against its segments; 0 where nobody looks at its end."""
+    moves, positions = work.moves[0], work.pose[0].positions
+    if moves.end[move] < 0:
+        return 0.0
+    start, knee = vector_at(positions, moves.node[move]), vector_at(positions, moves.middle[move])
+    end = vector_at(positions, moves.end[move])
+    whole = length(_from(start, knee)) + length(_from(knee, end))
+    return length(_from(start, end)) / max(whole, SHORT)
+
+
+@shared
 def _driven_term(work: Work, frame: int, task: int, node: int) -> int:
     """Return the one term of a task that a joint carries."""
     table = work.table[0]

@@ -20,7 +20,7 @@ def solve_groups(handed: Reference[Handed], first: int, last: int, start: int, s
     No frame knows of another one, and no group of another one.
     """
     parts, step, solve_ranks, plan = handed[0]
-    table, given, found, told, tree, ranks, moves, settings, pose, saved, asked = parts
+    table, given, found, told, tree, ranks, moves, settings, pose, saved, asked = parts[:11]
     work = Work(
         reference(table),
         reference(given),
@@ -33,6 +33,7 @@ def solve_groups(handed: Reference[Handed], first: int, last: int, start: int, s
         reference(pose),
         reference(saved),
         reference(asked),
+        reference(parts[11]),
     )
     for group in range(start, stop):
         for frame in range(first, last):

@@ -14,6 +14,8 @@ from usdmotion_ccd.trees import make_tree, seen_nodes
 
 FEW = 4
 """A sum of more points than this is a centre of mass."""
+TRIFLE = 0.04
+"""A joint that carries less than this share of the mass does nothing for the balance."""
 _TURNS = (Kind.ROTATION, Kind.AIM)
 
 
@@ -94,7 +96,8 @@ class Planner:
         """Return the moves that start at a node."""
         table = self.table
         own = [task for task in tasks if table.recruits[task, node] and self.carries(node, task)]
-        moves = [Move(TURN, node, own, nodes={node})] if own else []
+        weighs = [task for task in own if self._weighs(node, task)]
+        moves = [Move(TURN, node, weighs, nodes={node})] if weighs else []
         limb = self.limbs.get(node)
         if limb and recruited[limb.middle]:
             bent = [task for task in own if self.is_bent_for(limb, task)]
@@ -106,6 +109,16 @@ class Planner:
             if placed:
                 moves.append(Move(SHIFT, node, placed))
         return moves
+
+    def _weighs(self, node: int, task: int) -> bool:
+        """Tell whether what a node carries is more than a trifle to a centre of mass."""
+        seen = self.seen[task]
+        if len(seen) <= FEW:
+            return True
+        start, end = self.table.first_term[task], self.table.first_term[task + 1]
+        shares = np.abs(self.table.term_coefficient[0, start:end])
+        carried = [self.is_below(node, int(at)) for at in self.table.term_node[start:end]]
+        return bool(shares[carried].sum() >= TRIFLE)
 
     def is_bent_for(self, limb: Limb, task: int) -> bool:
         """Tell whether a task is about one point that goes with the second segment of a limb."""

@@ -4,24 +4,39 @@ A move that disturbs a rank above is followed by what makes up for it; if that i
 taken back, and tried half as far.
 """
 
+import math
+
 from usdmotion.kernels import shared, task_error
-from usdmotion_ccd.bending import bend_limb, is_usable
+from usdmotion_ccd.bending import bend_limb, is_usable, stretch
 from usdmotion_ccd.errors import POINT, left, length
 from usdmotion_ccd.posing import restore, save
 from usdmotion_ccd.shifting import forget, shift_root
 from usdmotion_ccd.state import LIMB, SHIFT, Step, Work
+from usdmotion_ccd.together import move_together
 from usdmotion_ccd.turning import turn_joint
 
+ALL, REPAIR = -1, -2
+"""In place of a move: all joints together, for a rank and those above it, or for those alone."""
 HALVINGS = 3
 """How often a move is tried half as far."""
 REPAIRS = 8
 """How often everything above is made up for, after one move."""
+ENOUGH = 0.7
+"""Where this share of a disturbance is left, another way to make up for it is tried."""
+STRAIGHT = 0.995
+"""How long a limb may be made for a rank below its own, against its segments."""
+SLIGHTLY = 1e-3
+"""So much longer it may become by what is not linear in a step."""
+STEPS = 8
+"""How often all joints move together in one iteration."""
 SHIFTS = 8
 """How often the root is shifted before anything else moves."""
 
 
 def step(work: Work, frame: int, character: int, rank: int, move: int, scale: float) -> bool:
     """Make a move for the tasks of a rank; return whether anything moved."""
+    if move < 0:
+        return move_together(work, frame, character, rank, move == ALL, scale)
     kind = work.moves[0].kind[move]
     if kind == LIMB:
         return bend_limb(work, frame, character, rank, move, scale)
@@ -71,31 +86,63 @@ def _cost(work: Work, frame: int, rank: int) -> float:
 
 @shared
 def _solve_rank(work: Work, step: Step, frame: int, character: int, rank: int) -> int:
-    """Move, from the extremities to the root, until a rank is met or comes no nearer."""
+    """Move, from the extremities to the root, until a rank is met or comes no nearer.
+
+    The root comes in late, with all other joints: when turning them one by one does no more.
+    """
     ranks, settings = work.ranks[0], work.settings[0]
+    balances, late = ranks.balances[rank], False
     for iteration in range(settings.iterations):
+        late |= iteration >= settings.shift_after
         if worst(work, frame, rank) <= settings.tolerance:
             return iteration
         before = _cost(work, frame, rank)
+        if late and not balances and _all_together(work, step, frame, character, rank):
+            return iteration + 1
         for move in range(ranks.first_move[rank], ranks.first_move[rank + 1]):
-            if _is_idle(work, character, rank, move):
-                continue
-            tries = SHIFTS if ranks.balances[rank] and work.moves[0].kind[move] == SHIFT else 1
-            for _ in range(tries):
+            for _ in range(_tries(work, character, rank, move, late)):
                 if not _attempt(work, step, frame, character, rank, move):
                     break
                 if worst(work, frame, rank) <= settings.tolerance:
                     return iteration + 1
+            if balances and work.moves[0].kind[move] == SHIFT:
+                if _all_together(work, step, frame, character, rank):
+                    return iteration + 1
         if _cost(work, frame, rank) > (1.0 - settings.settled) * before:
-            return iteration + 1
+            if late:
+                return iteration + 1
+            late = True
     return settings.iterations
 
 
 @shared
-def _is_idle(work: Work, character: int, rank: int, move: int) -> bool:
-    """Tell whether a limb does all that a turn could do."""
-    limb = work.moves[0].limb[move]
-    return bool(limb >= 0 and is_usable(work, character, rank, limb))
+def _all_together(work: Work, step: Step, frame: int, character: int, rank: int) -> bool:
+    """Move all joints while that brings a rank much nearer; return whether it is met."""
+    for _ in range(STEPS):
+        before = _cost(work, frame, rank)
+        if not _attempt(work, step, frame, character, rank, ALL):
+            return False
+        if worst(work, frame, rank) <= work.settings[0].tolerance:
+            return True
+        if _cost(work, frame, rank) > ENOUGH * ENOUGH * before:
+            return False
+    return False
+
+
+@shared
+def _tries(work: Work, character: int, rank: int, move: int, late: bool) -> int:
+    """Return how often a move may be made in an iteration, an early one or a late one.
+
+    A limb does all that a turn of its joints could do, and turns come before the root is shifted,
+    unless that is for the centre of mass.
+    """
+    moves = work.moves[0]
+    if moves.kind[move] == SHIFT and work.ranks[0].balances[rank]:
+        return SHIFTS
+    if work.together[0].translates[moves.node[move]]:
+        return 1 if late else 0
+    limb = moves.limb[move]
+    return 0 if limb >= 0 and is_usable(work, character, rank, limb) else 1
 
 
 @shared
@@ -103,7 +150,7 @@ def _attempt(work: Work, step: Step, frame: int, character: int, rank: int, move
     """Make a move as far as it brings its rank nearer and disturbs none above."""
     ranks = work.ranks[0]
     before, scale = _cost(work, frame, rank), 1.0
-    if work.moves[0].kind[move] != SHIFT:
+    if move < 0 or work.moves[0].kind[move] != SHIFT:
         forget(work, ranks.first[character], rank + 1)
     save(work, character, 0)
     for _ in range(HALVINGS + 1):
@@ -120,15 +167,53 @@ def _attempt(work: Work, step: Step, frame: int, character: int, rank: int, move
 
 @shared
 def _repair(work: Work, step: Step, frame: int, character: int, rank: int, move: int) -> bool:
-    """Make up for what a move did to its own rank and those above, which come last."""
-    ranks, moves = work.ranks[0], work.moves[0]
-    top = ranks.first[character]
+    """Make up for what a move did to its own rank and those above, which come last.
+
+    First by what needs no more than a limb, and where that is not enough by every turn.
+    """
+    most = 2.0 * work.settings[0].tolerance
+    before = math.inf
+    whole = move < 0
     for _ in range(REPAIRS):
-        for other in range(rank, top - 1, -1):
-            for repair in range(ranks.first_move[other], ranks.first_move[other + 1]):
-                if moves.repairs[repair] and not _overlap(work, move, repair):
-                    step(work, frame, character, other, repair, 1.0)
-        if _is_intact(work, frame, character, rank):
+        if whole:
+            step(work, frame, character, rank, REPAIR, 1.0)
+        elif move >= 0:
+            _repair_by_limbs(work, step, frame, character, rank, move)
+        left_over = _disturbed(work, frame, character, rank)
+        if left_over <= most:
+            return not _is_overstretched(work, character, rank)
+        if left_over > ENOUGH * before:
+            if whole:
+                return False
+            if move >= 0 and work.moves[0].kind[move] == SHIFT:
+                return False
+            whole = True
+        before = left_over
+    return False
+
+
+@shared
+def _repair_by_limbs(
+    work: Work, step: Step, frame: int, character: int, rank: int, move: int
+) -> None:
+    ranks, moves = work.ranks[0], work.moves[0]
+    for other in range(rank, ranks.first[character] - 1, -1):
+        for repair in range(ranks.first_move[other], ranks.first_move[other + 1]):
+            if moves.repairs[repair] and not _overlap(work, move, repair):
+                step(work, frame, character, other, repair, 1.0)
+
+
+@shared
+def _is_overstretched(work: Work, character: int, rank: int) -> bool:
+    """Tell whether a limb that works for a rank above was made all but straight.
+
+    There a knee turns faster than anything that moves it, so it is straightened only by its own
+    rank, or where it is straight already.
+    """
+    ranks, moves, asked = work.ranks[0], work.moves[0], work.asked[0]
+    first = ranks.first[character]
+    for move in range(ranks.first_move[first], ranks.first_move[rank]):
+        if moves.kind[move] == LIMB and stretch(work, move) > asked.stretches[move] + SLIGHTLY:
             return True
     return False
 
@@ -145,15 +230,12 @@ def _overlap(work: Work, move: int, other: int) -> bool:
 
 
 @shared
-def _is_intact(work: Work, frame: int, character: int, rank: int) -> bool:
-    """Tell whether all ranks above one are where they were left."""
-    ranks, asked = work.ranks[0], work.asked[0]
-    most = 2.0 * work.settings[0].tolerance
-    for index in range(ranks.first_task[ranks.first[character]], ranks.first_task[rank]):
-        task = ranks.tasks[index]
-        if asked.on[task] and length(left(work, frame, task)) > most:
-            return False
-    return True
+def _disturbed(work: Work, frame: int, character: int, rank: int) -> float:
+    """Return how far the ranks above one are at most from where they were left [m or rad]."""
+    largest = 0.0
+    for other in range(work.ranks[0].first[character], rank):
+        largest = max(largest, worst(work, frame, other))
+    return largest
 
 
 @shared
@@ -161,6 +243,9 @@ def _keep(work: Work, frame: int, character: int, rank: int) -> None:
     """From here on the tasks of a rank are to stay as near as they came."""
     ranks, asked, table, pose = work.ranks[0], work.asked[0], work.table[0], work.pose[0]
     tree = work.tree[0]
+    for move in range(ranks.first_move[rank], ranks.first_move[rank + 1]):
+        if work.moves[0].kind[move] == LIMB:
+            asked.stretches[move] = max(STRAIGHT, stretch(work, move) + 1e-6)
     for index in range(ranks.first_task[rank], ranks.first_task[rank + 1]):
         task = ranks.tasks[index]
         if not asked.on[task]:

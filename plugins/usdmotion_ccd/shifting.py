@@ -7,6 +7,8 @@ from usdmotion_ccd.posing import shift
 from usdmotion_ccd.state import Work
 from usdmotion_ccd.turning import bar
 
+FAR = 0.03
+"""Farther the root is not shifted in one iteration, but for the centre of mass [m]."""
 LEAST, MOST = 0.3, 1.5
 """What may arrive of a shift, at least and at most, once the limbs have made up for it."""
 
@@ -46,6 +48,8 @@ def shift_root(work: Work, frame: int, character: int, rank: int, move: int, sca
     whole = scale * work.tree[0].freedom[node]
     _learn(work, move, x, y, z, whole == 1.0)
     factor = whole / asked.gains[move]
+    if not ranks.balances[rank]:
+        factor = min(factor, FAR / length((x, y, z)))
     shift(work, node, (factor * x, factor * y, factor * z))
     return True
 

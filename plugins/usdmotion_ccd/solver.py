@@ -10,7 +10,7 @@ from usdmotion.kernels import OVER_FRAMES
 from usdmotion_ccd.live import CyclicPerformance, Ensemble
 from usdmotion_ccd.planning import plan_moves
 from usdmotion_ccd.schedule import Schedule, schedule
-from usdmotion_ccd.state import Asked, Clip, Parts, Pose, Saved, Settings, Told
+from usdmotion_ccd.state import Asked, Clip, Parts, Pose, Saved, Settings, Together, Told, Tree
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,7 @@ class CyclicDescent:
         30, "Most iterations on one rank of one frame.", minimum=1, maximum=10000
     )
     tolerance: float = option(
-        1e-5, "Error below which a constraint is met [m or rad].", minimum=1e-9
+        2e-6, "Error below which a constraint is met [m or rad].", minimum=1e-9
     )
     damping: float = option(
         0.1,
@@ -38,7 +38,12 @@ class CyclicDescent:
         minimum=0,
         maximum=1,
     )
-
+    shift_after: int = option(
+        5,
+        "Iterations that turn joints alone, before the root is shifted too; for the centre of "
+        "mass it is shifted at once.",
+        minimum=0,
+    )
     threads: int = option(
         0,
         "How many threads solve characters that do not look at each other; 0 is one for each core. "
@@ -97,6 +102,42 @@ def make_parts(problem: Problem, plan: Schedule, settings: CyclicDescent) -> Par
             pinned=np.zeros(nodes, dtype=np.bool_),
             gains=np.ones(count),
             shifted=np.zeros((count, 3)),
+            stretches=np.ones(count),
             basis=np.zeros((characters, 3, 3)),
         ),
+        make_together(problem, tree, plan, count),
+    )
+
+
+def make_together(problem: Problem, tree: Tree, plan: Schedule, count: int) -> Together:
+    """Return room for the steps of all joints."""
+    cast, freedom = problem.cast, tree.freedom
+    moves = problem.recruited & (tree.enter >= 0) & (freedom > 0.0)
+    columns = np.full(cast.node_count, -1, dtype=np.int64)
+    characters = len(plan.first_node) - 1
+    widths = np.zeros(characters, dtype=np.int64)
+    owner = np.cumsum(cast.parents < 0) - 1
+    sizes = np.where(cast.translates, 6, 3)
+    for node in np.flatnonzero(moves).tolist():
+        columns[node] = widths[owner[node]]
+        widths[owner[node]] += sizes[node]
+    width = int(widths.max(initial=1))
+    each = np.ones((characters, width))
+    for node in np.flatnonzero(moves).tolist():
+        each[owner[node], columns[node] : columns[node] + sizes[node]] = freedom[node]
+    rows = 3 * int(np.diff(plan.first_task).max(initial=1))
+    return Together(
+        translates=np.array(cast.translates),
+        columns=columns,
+        widths=widths,
+        freedom=each,
+        rows=np.zeros((characters, rows, width)),
+        errors=np.zeros((characters, rows)),
+        solved=np.zeros((characters, rows)),
+        fixed=np.zeros((characters, width)),
+        frozen=np.zeros(count, dtype=np.bool_),
+        damping=np.zeros((characters, rows)),
+        gram=np.zeros((characters, rows, rows)),
+        block=np.zeros((characters, 3, width)),
+        step=np.zeros((characters, width)),
     )

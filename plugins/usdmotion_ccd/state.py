@@ -115,6 +115,7 @@ class Settings(NamedTuple):
     tolerance: float
     damping: float
     settled: float
+    shift_after: int
 
 
 class Pose(NamedTuple):
@@ -156,8 +157,41 @@ class Asked(NamedTuple):
     """(B,) how much of a shift of the root arrives."""
     shifted: Floats
     """(B, 3) the error that the last shift was for, zero for none."""
+    stretches: Floats
+    """(B,) how far a limb of a rank above may be stretched, against its segments."""
     basis: Floats
     """(C, 3, 3) scratch."""
+
+
+class Together(NamedTuple):
+    """Room for a step of all joints: R rows at most, D degrees of freedom of one character."""
+
+    translates: Bools
+    """(N,)"""
+    columns: Ints
+    """(N,) first degree of freedom of each joint that may move, -1 for the others."""
+    widths: Ints
+    """(C,) how many there are."""
+    freedom: Floats
+    """(C, D) 1 − stiffness of the joint of each."""
+    rows: Floats
+    """(C, R, D)"""
+    errors: Floats
+    """(C, R)"""
+    solved: Floats
+    """(C, R)"""
+    fixed: Floats
+    """(C, D) the part of the step that is decided, of limbs that would be stretched too far."""
+    frozen: Bools
+    """(B,) whether a move is no limb, or one of those."""
+    damping: Floats
+    """(C, R) squared."""
+    gram: Floats
+    """(C, R, R)"""
+    block: Floats
+    """(C, 3, D) scratch."""
+    step: Floats
+    """(C, D)"""
 
 
 class Work(NamedTuple):
@@ -174,9 +208,12 @@ class Work(NamedTuple):
     pose: Reference[Pose]
     saved: Reference[Saved]
     asked: Reference[Asked]
+    together: Reference[Together]
 
 
-Parts = tuple[TaskTable, Clip, Clip, Told, Tree, Ranks, Moves, Settings, Pose, Saved, Asked]
+Parts = tuple[
+    TaskTable, Clip, Clip, Told, Tree, Ranks, Moves, Settings, Pose, Saved, Asked, Together
+]
 """What `Work` refers to."""
 
 Step = Callable[[Work, int, int, int, int, float], bool]

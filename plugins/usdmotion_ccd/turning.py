@@ -36,7 +36,8 @@ def turn_joint(work: Work, frame: int, character: int, rank: int, move: int, sca
     """Turn the joint of a move for the tasks of its rank; return whether it moved."""
     node = work.moves[0].node[move]
     barred = bar(work, frame, character, rank, move)
-    if barred == 3:
+    # What stays where it is is not twisted for the balance.
+    if barred == 3 or (barred > 0 and work.ranks[0].balances[rank]):
         return False
     alone, vector = _best(work, frame, character, rank, move, barred)
     if alone >= 0 and barred != 1:
