@@ -1,5 +1,6 @@
-"""What is normalized and restored on the same skeleton is the same motion."""
+"""What is normalized, written and restored on the same skeleton is the same motion."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,7 @@ from usdmotion.demos.body import humanoid
 from usdmotion.humanoid import PartMap, guess
 from usdmotion.kernels import from_vector
 from usdmotion.motion import Motion, Placement, Skeleton
-from usdmotion.s4d import Morphology, normalize, restore
+from usdmotion.s4d import Morphology, NormalizedMotion, normalize, restore
 
 from .conftest import apart
 
@@ -19,12 +20,31 @@ UP = {"Y": np.array((0.0, 1.0, 0.0)), "Z": np.array((0.0, 0.0, 1.0))}
 CLIPS = ("cmu/mb/*", "cmu/daz/*", "cmu/daz_hands/*", "cmu/iclone/*", "other/*")
 
 
+ROUNDED = (
+    "limb_frames",
+    "segment_rotations",
+    "spine",
+    "root_position",
+    "root_heading",
+    "root_orientation",
+    "extra_rotations",
+    "offsets",
+)
+"""What is written in single precision."""
+
+
+def written(normalized: NormalizedMotion) -> NormalizedMotion:
+    """Return a motion as a file keeps it."""
+    own = {name: getattr(normalized, name).astype(np.float32) for name in ROUNDED}
+    return replace(normalized, **own)
+
+
 def there_and_back(
     skeleton: Skeleton, parts: PartMap, motion: Motion, placement: Placement, up: Floats
 ) -> Motion:
     body = Morphology.of(skeleton, parts, poses=motion)
     normalized = normalize(motion, placement, body, up=up)
-    return restore(normalized, body, placement, up=up)
+    return restore(written(normalized), body, placement, up=up)
 
 
 @pytest.mark.parametrize("axis", UP)
@@ -39,8 +59,8 @@ def test_any_postures_of_any_placement_come_back(axis: str) -> None:
     placement = Placement(generator.normal(size=(40, 3)), turns)
     back = there_and_back(skeleton, PartMap(parts), motion, placement, UP[axis])
     metres, degrees = apart(skeleton, motion, back)
-    assert metres < 1e-9
-    assert degrees < 1e-6
+    assert metres < 5e-6
+    assert degrees < 1e-3
 
 
 @pytest.mark.parametrize("pattern", CLIPS)

@@ -144,18 +144,19 @@ class Rest:
     def _foot(self, ankle: int, shank: Floats) -> Floats:
         """Return the frame of a foot, which points to its ball and is flat at rest.
 
-        Unless it would have to roll more than an ankle can: then it hangs on its leg.
+        Unless it would have to roll more than an ankle does, and goes straighter ahead if it hangs
+        on its leg.
         """
         balls = self._ahead(ankle, ("tarsometatarsal", "metatarsophalangeal"))
         way = np.mean([self.line(ankle, ball) for ball in balls], axis=0) if balls else Z
         up = self._seen(self._soles, ankle)
         if up is not None:
             return from_y_z(up, across(way, up))
-        if across(way, Y)[2] < _AHEAD * np.linalg.norm(way):
-            way = Z
-        hanging = unit(across(rotate(shank, Y), unit(across(way, Y))))
-        up = Y if hanging @ Y > _ROLL else hanging
-        return from_y_z(up, across(way, up))
+        ahead = across(way, Y)[2] > _AHEAD * np.linalg.norm(way)
+        hanging = unit(across(rotate(shank, Y), Z))
+        flat, slanted = (from_y_z(up, across(way if ahead else Z, up)) for up in (Y, hanging))
+        straighter = not balls or rotate(slanted, Z)[2] > rotate(flat, Z)[2]
+        return slanted if hanging @ Y < _ROLL and straighter else flat
 
     def _hand(self, joints: Sequence[int], forearm: Floats, sign: float) -> Floats:
         """Return the frame of a hand: along its middle, its back away from the palm."""

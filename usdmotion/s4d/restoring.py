@@ -12,7 +12,7 @@ from usdmotion.s4d.morphology import Limb, Morphology
 from usdmotion.s4d.normalized import NormalizedMotion
 from usdmotion.s4d.places import ROOT
 from usdmotion.s4d.postures import Postures
-from usdmotion.s4d.turns import Y, swing
+from usdmotion.s4d.turns import Y, continuous, swing
 
 
 def restore(
@@ -40,7 +40,7 @@ def restore(
     _make_local(morphology, wanted, multiply(upright, placement.rotations), rotations)
     hips = rotate(conjugate(upright), _hips(normalized, measures)) - placement.translations
     _place_root(morphology, rotate(conjugate(placement.rotations), hips), local, rotations)
-    return Motion(normalized.times, local, rotations)
+    return Motion(normalized.times, local, continuous(rotations))
 
 
 def _translations(

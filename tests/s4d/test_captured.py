@@ -1,0 +1,133 @@
+"""Captured motion across the skeletons of other people."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pxr import Usd, UsdSkel
+from usdmotion_bvh import BvhReader
+
+from usdmotion.arrays import Floats
+from usdmotion.errors import SceneError
+from usdmotion.humanoid import guess
+from usdmotion.kernels import conjugate, forward, multiply, to_vector
+from usdmotion.motion import Motion, Placement, Skeleton
+from usdmotion.s4d import Morphology, NormalizedMotion, normalize, restore
+from usdmotion.usd.skeletons import read_joints
+
+from .conftest import steps
+
+UP = {"Y": np.array((0.0, 1.0, 0.0)), "Z": np.array((0.0, 0.0, 1.0))}
+BODIES = {
+    "mb": "cmu/mb/12_01.bvh",
+    "daz": "cmu/daz/60_10.bvh",
+    "iclone": "cmu/iclone/006_10.bvh",
+    "rokoko": "other/rokoko_jesse_dance.bvh",
+    "mixamo": "other/mixamorig_turns.bvh",
+    "fair": "other/fair_dab.bvh",
+}
+CLIPS = ("mb", "daz", "rokoko")
+KEPT = (
+    *("skullbase", "l_radiocarpal", "r_radiocarpal"),
+    *("l_talocrural", "r_talocrural", "humanoid_root"),
+)
+
+
+class Captured:
+    """A body, its motion and which way is up."""
+
+    def __init__(self, path: Path) -> None:
+        clip = BvhReader().read(path)
+        self.motion, self.up = clip.motion, UP[clip.up]
+        parts = guess(clip.skeleton, names=clip.original_names)
+        self.body = Morphology.of(clip.skeleton, parts, poses=clip.motion)
+
+    @property
+    def normalized(self) -> NormalizedMotion:
+        space = Placement.identity(self.motion.frame_count)
+        return normalize(self.motion, space, self.body, up=self.up)
+
+
+@pytest.fixture(scope="module")
+def captured(mocap: Path) -> Mapping[str, Captured]:
+    return {name: Captured(mocap / path) for name, path in BODIES.items()}
+
+
+@pytest.fixture(scope="module")
+def bodies(mocap: Path, captured: Mapping[str, Captured]) -> Mapping[str, Morphology]:
+    known = {name: each.body for name, each in captured.items()}
+    return {**known, "CesiumMan": of_usd(mocap / "usd/CesiumMan.usdz")}
+
+
+def of_usd(path: Path) -> Morphology:
+    stage = Usd.Stage.Open(str(path))
+    (prim,) = (prim for prim in stage.Traverse() if prim.IsA(UsdSkel.Skeleton))
+    joints = read_joints(prim)
+    assert joints.rest is not None
+    rest = joints.rest.translations, joints.rest.rotations
+    skeleton = Skeleton(joints.tokens, joints.parents, *rest)
+    return Morphology.of(skeleton, guess(skeleton))
+
+
+def turned(body: Morphology, motion: Motion, up: Floats, part: str) -> Floats:
+    """Return how a part is turned in the world, away from a T-pose, (F, 4)."""
+    _, orientations = forward(body.skeleton.parents, motion.translations, motion.rotations)
+    canonical = multiply(orientations[:, body.joint(part)], body.canonical(part))
+    to_y_up = (np.sin(-np.pi / 4.0), 0.0, 0.0, np.cos(np.pi / 4.0))
+    return multiply(np.array(to_y_up), canonical) if up[2] else canonical
+
+
+@pytest.mark.parametrize("clip", CLIPS)
+def test_every_body_does_what_was_captured(
+    captured: Mapping[str, Captured], bodies: Mapping[str, Morphology], clip: str
+) -> None:
+    """Head, hands and feet are turned as they were; no joint is much faster than any was."""
+    source = captured[clip]
+    normalized = source.normalized
+    space = Placement.identity(len(normalized.times))
+    fastest = steps(source.motion.rotations).max()
+    for name, body in bodies.items():
+        up = captured[name].up if name in captured else UP["Z"]
+        motion = restore(normalized, body, space, up=up)
+        for part in KEPT:
+            own, other = (
+                turned(*each, part)
+                for each in ((source.body, source.motion, source.up), (body, motion, up))
+            )
+            assert np.linalg.norm(to_vector(multiply(conjugate(own), other)), axis=-1).max() < 1e-5
+        assert steps(motion.rotations).max() < 1.3 * fastest, name
+
+
+def test_knees_bend_to_the_front_and_elbows_to_the_back(
+    captured: Mapping[str, Captured],
+) -> None:
+    for name, each in captured.items():
+        normalized = each.normalized
+        bent = normalized.limb_lengths < np.cos(np.radians(20.0))
+        for limb, part in enumerate(normalized.limbs):
+            twists = np.degrees(np.abs(normalized.limb_twists[bent[:, limb], limb]))
+            most = 20.0 if part.endswith("hip") else 60.0
+            assert (twists < most).mean() > 0.95 if len(twists) else True, (name, part)
+
+
+def test_soles_are_level_where_feet_are_planted(captured: Mapping[str, Captured]) -> None:
+    """While an ankle is low and hardly moves, the sole of its foot is level to some degrees."""
+    for name, each in captured.items():
+        body, motion = each.body, each.motion
+        places, _ = forward(body.skeleton.parents, motion.translations, motion.rotations)
+        for side in "lr":
+            ankle = places[:, body.joint(f"{side}_talocrural")]
+            speed = np.linalg.norm(np.gradient(ankle, motion.times, axis=0), axis=-1)
+            height = ankle @ each.up
+            planted = (speed < 0.2) & (height < height.min() + 0.05 * body.leg_length)
+            assert planted.any(), (name, side)
+            foot = turned(body, motion, each.up, f"{side}_talocrural")[planted]
+            upwards = 1.0 - 2.0 * (foot[:, 0] ** 2 + foot[:, 2] ** 2)
+            assert np.degrees(np.arccos(np.median(upwards))) < 12.0, (name, side)
+
+
+def test_a_rest_pose_that_is_none_needs_a_motion(mocap: Path) -> None:
+    clip = BvhReader().read(mocap / BODIES["rokoko"])
+    with pytest.raises(SceneError, match="no posture of a body at rest; give it a rest pose"):
+        Morphology.of(clip.skeleton, guess(clip.skeleton), who="the dancer")
