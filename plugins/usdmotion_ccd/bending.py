@@ -17,7 +17,7 @@ from usdmotion.kernels.quaternions import (
     vector_at,
 )
 from usdmotion.kernels.residuals import between
-from usdmotion_ccd.errors import dot, left, length, term_place
+from usdmotion_ccd.errors import dot, left, length, sight, term_place
 from usdmotion_ccd.posing import carries, orient, turn
 from usdmotion_ccd.state import Work
 from usdmotion_ccd.turning import solve_turn
@@ -115,7 +115,7 @@ def _asked_way(
         error = left(work, frame, task)
         missing |= length(error) > 0.1 * work.settings[0].tolerance
         term = _driven_term(work, frame, task, middle)
-        place, weight = term_place(work, frame, term), table.weight[frame, task]
+        place, weight = term_place(sight(work), frame, term), table.weight[frame, task]
         share = weight * moves.shares[move, index - first] / table.term_coefficient[frame, term]
         x, y, z = x + weight * place[0], y + weight * place[1], z + weight * place[2]
         u, v, w = u + share * error[0], v + share * error[1], w + share * error[2]
@@ -161,7 +161,7 @@ def turn_end(work: Work, frame: int, character: int, rank: int, move: int) -> No
             continue
         error = left(work, frame, task)
         term = _driven_term(work, frame, task, end)
-        place, weight = term_place(work, frame, term), table.weight[frame, task]
+        place, weight = term_place(sight(work), frame, term), table.weight[frame, task]
         share = moves.shares[move, index - first] / table.term_coefficient[frame, term]
         error = (share * error[0] - way[0], share * error[1] - way[1], share * error[2] - way[2])
         p, q, r = place[0] - center[0], place[1] - center[1], place[2] - center[2]

@@ -13,7 +13,7 @@ from usdmotion.kernels.quaternions import (
 )
 from usdmotion.kernels.residuals import held_axis, seen_from_target, world_gap
 from usdmotion_ccd.posing import carries
-from usdmotion_ccd.state import Work
+from usdmotion_ccd.state import Sight, Work
 
 POINT, DISTANCE = int(Kind.POINT), int(Kind.DISTANCE)
 ROTATION, AIM = int(Kind.ROTATION), int(Kind.AIM)
@@ -26,8 +26,29 @@ Matrix = tuple[float, float, float, float, float, float, float, float, float]
 @shared
 def left(work: Work, frame: int, task: int) -> Vector:
     """Return what a task still asks for, a world vector [m] or a world rotation vector [rad]."""
+    work.calls.measure(sight(work), frame, task)
+    return vector_at(work.asked[0].left, task)
+
+
+@shared
+def sight(work: Work) -> Sight:
+    """Return what tells how a task stands."""
+    return Sight(work.table, work.tree, work.pose, work.asked)
+
+
+def measure(seen: Sight, frame: int, task: int) -> None:
+    """Write what a task still asks for."""
+    asked = seen.asked[0]
+    x, y, z = _left(seen, frame, task)
+    asked.left[task, 0], asked.left[task, 1], asked.left[task, 2] = x, y, z
+
+
+@shared
+def _left(work: Sight, frame: int, task: int) -> Vector:
     table, pose, kept = work.table[0], work.pose[0], work.asked[0].kept
     x, y, z = task_error(work.table, frame, task, pose.positions, pose.orientations)
+    raw = work.asked[0].raw
+    raw[task, 0], raw[task, 1], raw[task, 2] = x, y, z
     error = (x - kept[task, 0], y - kept[task, 1], z - kept[task, 2])
     if is_slack(work.table, task, error):
         return (0.0, 0.0, 0.0)
@@ -40,7 +61,7 @@ def left(work: Work, frame: int, task: int) -> Vector:
 
 
 @shared
-def _along_held(work: Work, frame: int, task: int, error: Any) -> Vector:
+def _along_held(work: Sight, frame: int, task: int, error: Any) -> Vector:
     table = work.table[0]
     if table.axes[task, 0] and table.axes[task, 1] and table.axes[task, 2]:
         return (error[0], error[1], error[2])
@@ -78,7 +99,7 @@ def is_directly_held(work: Work, task: int) -> bool:
 
 
 @shared
-def lever(work: Work, frame: int, task: int, node: int) -> Vector:
+def lever(work: Sight, frame: int, task: int, node: int) -> Vector:
     """Return the part of a sum of points that a joint carries, as seen from it [m]."""
     table, pose = work.table[0], work.pose[0]
     x, y, z = 0.0, 0.0, 0.0
@@ -94,7 +115,7 @@ def lever(work: Work, frame: int, task: int, node: int) -> Vector:
 
 
 @shared
-def term_place(work: Work, frame: int, term: int) -> Vector:
+def term_place(work: Sight, frame: int, term: int) -> Vector:
     """Return where the point of a term is in the world."""
     table, pose = work.table[0], work.pose[0]
     at = table.term_node[term]
@@ -107,7 +128,7 @@ def term_place(work: Work, frame: int, term: int) -> Vector:
 
 
 @shared
-def carried_factor(work: Work, frame: int, task: int, node: int) -> float:
+def carried_factor(work: Sight, frame: int, task: int, node: int) -> float:
     """Return how far a sum of points goes along with a root, but for what is held in place."""
     table, pinned = work.table[0], work.asked[0].pinned
     total = 0.0
@@ -119,7 +140,7 @@ def carried_factor(work: Work, frame: int, task: int, node: int) -> float:
 
 
 @shared
-def turned_share(work: Work, frame: int, task: int, node: int) -> float:
+def turned_share(work: Sight, frame: int, task: int, node: int) -> float:
     """Return how much of a joint's turn is seen by a task that compares orientations."""
     table = work.table[0]
     share, total = 0.0, 0.0
@@ -137,6 +158,26 @@ def turned_share(work: Work, frame: int, task: int, node: int) -> float:
 @shared
 def effect(work: Work, frame: int, task: int, node: int) -> Matrix:
     """Return how a task's error decreases with a turn of a joint, along what it holds."""
+    work.calls.slope(sight(work), frame, task, node)
+    rows = work.asked[0].slopes
+    return (
+        rows[task, 0], rows[task, 1], rows[task, 2],
+        rows[task, 3], rows[task, 4], rows[task, 5],
+        rows[task, 6], rows[task, 7], rows[task, 8],
+    )  # fmt: skip
+
+
+def slope(seen: Sight, frame: int, task: int, node: int) -> None:
+    """Write how a task's error decreases with a turn of a joint, or a shift of a root."""
+    rows = _effect(seen, frame, task, node)
+    slopes = seen.asked[0].slopes
+    slopes[task, 0], slopes[task, 1], slopes[task, 2] = rows[0], rows[1], rows[2]
+    slopes[task, 3], slopes[task, 4], slopes[task, 5] = rows[3], rows[4], rows[5]
+    slopes[task, 6], slopes[task, 7], slopes[task, 8] = rows[6], rows[7], rows[8]
+
+
+@shared
+def _effect(work: Sight, frame: int, task: int, node: int) -> Matrix:
     table = work.table[0]
     if table.kind[task] == ROTATION:
         share = turned_share(work, frame, task, node)
@@ -150,7 +191,7 @@ def effect(work: Work, frame: int, task: int, node: int) -> Matrix:
 
 
 @shared
-def _sight(work: Work, frame: int, task: int, node: int, arm: Any) -> Matrix:
+def _sight(work: Sight, frame: int, task: int, node: int, arm: Any) -> Matrix:
     """The node's turn less that of its line of sight, which is seen × (turn × arm) / seen²."""
     pose, table = work.pose[0], work.table[0]
     seen = seen_from_target(work.table, frame, task, pose.positions, pose.orientations)
@@ -168,7 +209,7 @@ def _sight(work: Work, frame: int, task: int, node: int, arm: Any) -> Matrix:
 
 
 @shared
-def along_held_rows(work: Work, frame: int, task: int, rows: Any) -> Matrix:
+def along_held_rows(work: Sight, frame: int, task: int, rows: Any) -> Matrix:
     """Keep of three rows what is along the directions that a task holds."""
     table, pose = work.table[0], work.pose[0]
     if table.kind[task] == DISTANCE:

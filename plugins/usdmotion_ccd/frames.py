@@ -1,6 +1,8 @@
 """One frame of one character, and the loop over the frames of a clip, group by group."""
 
-from usdmotion.kernels import Reference, is_slack, reference, shared, task_error
+from usdmotion.kernels import Reference, is_slack, reference, shared
+from usdmotion.kernels.quaternions import vector_at
+from usdmotion_ccd.errors import left
 from usdmotion_ccd.posing import give_output, give_rest, mix, save, take_input
 from usdmotion_ccd.schedule import Schedule
 from usdmotion_ccd.state import Parts, SolveRanks, Step, Work
@@ -34,6 +36,7 @@ def solve_groups(handed: Reference[Handed], first: int, last: int, start: int, s
         reference(saved),
         reference(asked),
         reference(parts[11]),
+        parts[12],
     )
     for group in range(start, stop):
         for frame in range(first, last):
@@ -128,8 +131,8 @@ def _ease(
     save(work, character, WITHOUT)
     for index in range(start, end):
         task = ranks.tasks[index]
-        pose = work.pose[0]
-        error = task_error(work.table, frame, task, pose.positions, pose.orientations)
+        left(work, frame, task)
+        error = vector_at(asked.raw, task)
         if is_slack(work.table, task, error):
             error = (0.0, 0.0, 0.0)
         for axis in range(3):

@@ -18,7 +18,7 @@ from usdmotion.kernels.quaternions import (
     unit,
     vector_at,
 )
-from usdmotion_ccd.state import Tree, Work
+from usdmotion_ccd.state import Pose, Tree, Work
 
 
 @shared
@@ -32,19 +32,19 @@ def carries(tree: Reference[Tree], node: int, other: int) -> bool:
 def place_below(work: Work, node: int) -> None:
     """Place a node and what it carries in the world."""
     tree = work.tree[0]
-    _place(work, tree.enter[node], tree.leave[node])
+    work.calls.place(work.tree, work.pose, tree.enter[node], tree.leave[node])
 
 
 @shared
 def place_character(work: Work, character: int) -> None:
     """Place all nodes of a character that matter in the world."""
     tree = work.tree[0]
-    _place(work, tree.first[character], tree.first[character + 1])
+    work.calls.place(work.tree, work.pose, tree.first[character], tree.first[character + 1])
 
 
-@shared
-def _place(work: Work, first: int, last: int) -> None:
-    tree, pose = work.tree[0], work.pose[0]
+def place(joints: Reference[Tree], posed: Reference[Pose], first: int, last: int) -> None:
+    """Place some nodes in the world, those from `first` to before `last` in depth-first order."""
+    tree, pose = joints[0], posed[0]
     for index in range(first, last):
         node = tree.order[index]
         parent = tree.parents[node]
@@ -63,12 +63,12 @@ def _place(work: Work, first: int, last: int) -> None:
 
 
 @shared
-def parent_frame(work: Work, node: int) -> Quaternion:
+def parent_frame(joints: Reference[Tree], posed: Reference[Pose], node: int) -> Quaternion:
     """Return the orientation of what carries a node."""
-    parent = work.tree[0].parents[node]
+    parent = joints[0].parents[node]
     if parent < 0:
         return (0.0, 0.0, 0.0, 1.0)
-    return quaternion_at(work.pose[0].orientations, parent)
+    return quaternion_at(posed[0].orientations, parent)
 
 
 @shared
@@ -80,31 +80,45 @@ def turn(work: Work, node: int, vector: Any) -> None:
 @shared
 def orient(work: Work, node: int, orientation: Any) -> None:
     """Give a joint an orientation in the world, as far as its limits allow."""
-    own = unit(product(inverse(parent_frame(work, node)), orientation))
-    own = within(work, node, own)
-    for axis in range(4):
-        work.pose[0].rotations[node, axis] = own[axis]
+    x, y, z, w = orientation
+    work.calls.orient(work.tree, work.pose, node, x, y, z, w)
     place_below(work, node)
+
+
+def orient_joint(
+    joints: Reference[Tree],
+    posed: Reference[Pose],
+    node: int,
+    x: float,
+    y: float,
+    z: float,
+    w: float,
+) -> None:
+    """Write the rotation of a joint that has an orientation in the world, within its limits."""
+    back = inverse(parent_frame(joints, posed, node))
+    own = within(joints, node, unit(product(back, (x, y, z, w))))
+    for axis in range(4):
+        posed[0].rotations[node, axis] = own[axis]
 
 
 @shared
 def shift(work: Work, node: int, way: Any) -> None:
     """Move a root by a world vector."""
-    own = turned(inverse(parent_frame(work, node)), way)
+    own = turned(inverse(parent_frame(work.tree, work.pose, node)), way)
     for axis in range(3):
         work.pose[0].translations[node, axis] += own[axis]
     place_below(work, node)
 
 
 @shared
-def within(work: Work, node: int, own: Any) -> Quaternion:
+def within(joints: Reference[Tree], node: int, own: Any) -> Quaternion:
     """Return the rotation that is nearest to one within a joint's limits."""
-    tree = work.tree[0]
+    tree = joints[0]
     if not tree.limited[node]:
         return (own[0], own[1], own[2], own[3])
     rest = quaternion_at(tree.rests, node)
     vector = rotation_vector(product(inverse(rest), own))
-    outside = _outside(work, node, vector)
+    outside = _outside(joints, node, vector)
     square = outside[0] ** 2 + outside[1] ** 2 + outside[2] ** 2
     angle = math.sqrt(vector[0] ** 2 + vector[1] ** 2 + vector[2] ** 2)
     if square == 0.0:
@@ -113,7 +127,7 @@ def within(work: Work, node: int, own: Any) -> Quaternion:
         # The same rotation the other way around, where that is nearer to the box.
         factor = 1.0 - 2.0 * math.pi / angle
         long = (factor * vector[0], factor * vector[1], factor * vector[2])
-        beyond = _outside(work, node, long)
+        beyond = _outside(joints, node, long)
         if beyond[0] ** 2 + beyond[1] ** 2 + beyond[2] ** 2 < square:
             vector, outside = long, beyond
             if beyond[0] == 0.0 and beyond[1] == 0.0 and beyond[2] == 0.0:
@@ -123,9 +137,9 @@ def within(work: Work, node: int, own: Any) -> Quaternion:
 
 
 @shared
-def _outside(work: Work, node: int, vector: Any) -> Vector:
+def _outside(joints: Reference[Tree], node: int, vector: Any) -> Vector:
     """Return the way to a rotation vector from the nearest one in its box."""
-    low, high = vector_at(work.tree[0].low, node), vector_at(work.tree[0].high, node)
+    low, high = vector_at(joints[0].low, node), vector_at(joints[0].high, node)
     return (
         min(vector[0] - low[0], 0.0) + max(vector[0] - high[0], 0.0),
         min(vector[1] - low[1], 0.0) + max(vector[1] - high[1], 0.0),
@@ -144,7 +158,7 @@ def take_input(work: Work, frame: int, character: int) -> None:
         for axis in range(4):
             pose.rotations[node, axis] = given.rotations[frame, node, axis]
         if tree.limited[node]:
-            own = within(work, node, quaternion_at(pose.rotations, node))
+            own = within(work.tree, node, quaternion_at(pose.rotations, node))
             for axis in range(4):
                 pose.rotations[node, axis] = own[axis]
     place_character(work, character)
@@ -171,7 +185,7 @@ def give_rest(work: Work, frame: int, first: int, last: int) -> None:
             continue
         own = quaternion_at(given.rotations[frame], node)
         if tree.limited[node]:
-            own = within(work, node, own)
+            own = within(work.tree, node, own)
         for axis in range(3):
             found.translations[frame, node, axis] = given.translations[frame, node, axis]
         for axis in range(4):

@@ -6,7 +6,7 @@ taken back, and tried half as far.
 
 import math
 
-from usdmotion.kernels import shared, task_error
+from usdmotion.kernels import shared
 from usdmotion_ccd.bending import bend_limb, is_usable, stretch
 from usdmotion_ccd.errors import POINT, left, length
 from usdmotion_ccd.posing import restore, save
@@ -241,7 +241,7 @@ def _disturbed(work: Work, frame: int, character: int, rank: int) -> float:
 @shared
 def _keep(work: Work, frame: int, character: int, rank: int) -> None:
     """From here on the tasks of a rank are to stay as near as they came."""
-    ranks, asked, table, pose = work.ranks[0], work.asked[0], work.table[0], work.pose[0]
+    ranks, asked, table = work.ranks[0], work.asked[0], work.table[0]
     tree = work.tree[0]
     for move in range(ranks.first_move[rank], ranks.first_move[rank + 1]):
         if work.moves[0].kind[move] == LIMB:
@@ -251,9 +251,8 @@ def _keep(work: Work, frame: int, character: int, rank: int) -> None:
         if not asked.on[task]:
             continue
         if length(left(work, frame, task)) > work.settings[0].tolerance:
-            error = task_error(work.table, frame, task, pose.positions, pose.orientations)
             for axis in range(3):
-                asked.kept[task, axis] = error[axis]
+                asked.kept[task, axis] = asked.raw[task, axis]
         if table.kind[task] != POINT or table.first_term[task + 1] > table.first_term[task] + 1:
             continue
         at = table.term_node[table.first_term[task]]

@@ -2,7 +2,7 @@
 
 from usdmotion.kernels import shared
 from usdmotion.kernels.quaternions import vector_at
-from usdmotion_ccd.errors import carried_factor, dot, left, length
+from usdmotion_ccd.errors import carried_factor, dot, left, length, sight
 from usdmotion_ccd.posing import shift
 from usdmotion_ccd.state import Work
 from usdmotion_ccd.turning import bar
@@ -27,7 +27,7 @@ def shift_root(work: Work, frame: int, character: int, rank: int, move: int, sca
         error = left(work, frame, task)
         if moves.mends[move, place] and length(error) <= work.settings[0].tolerance:
             continue
-        factor = carried_factor(work, frame, task, node)
+        factor = carried_factor(sight(work), frame, task, node)
         weight = work.table[0].weight[frame, task]
         total += weight * factor * factor
         x += weight * factor * error[0]

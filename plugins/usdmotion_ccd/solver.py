@@ -8,9 +8,9 @@ import numpy as np
 from usdmotion import Performance, Problem, Solution, option
 from usdmotion.kernels import OVER_FRAMES
 from usdmotion_ccd.live import CyclicPerformance, Ensemble
-from usdmotion_ccd.planning import plan_moves
-from usdmotion_ccd.schedule import Schedule, schedule
-from usdmotion_ccd.state import Asked, Clip, Parts, Pose, Saved, Settings, Together, Told, Tree
+from usdmotion_ccd.making import make_parts
+from usdmotion_ccd.schedule import schedule
+from usdmotion_ccd.state import Settings
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class CyclicDescent:
     def solve(self, problem: Problem) -> Solution:
         """Return the motion that meets the tasks in rank order."""
         known, plan = problem.known, schedule(np.array(problem.cast.parents), problem.table)
-        parts = make_parts(problem, plan, self)
+        parts = make_parts(problem, plan, self._settings)
         found, told = parts[2], parts[3]
         first, last = len(known.stops) if known else 0, problem.cast.frame_count
         Ensemble(parts, plan, self.threads).solve(first, last)
@@ -72,72 +72,8 @@ class CyclicDescent:
         own = {name: np.array(getattr(first.table, name)) for name in OVER_FRAMES}
         first = replace(first, table=first.table._replace(**own))
         plan = schedule(np.array(first.cast.parents), first.table)
-        return CyclicPerformance(make_parts(first, plan, self), plan, self.threads)
+        return CyclicPerformance(make_parts(first, plan, self._settings), plan, self.threads)
 
-
-def make_parts(problem: Problem, plan: Schedule, settings: CyclicDescent) -> Parts:
-    """Return a solve's input, and room for all that it needs on the way."""
-    cast, table = problem.cast, problem.table
-    tree, ranks, moves = plan_moves(problem, plan)
-    frames, nodes, tasks = cast.frame_count, cast.node_count, len(table.kind)
-    characters, count = len(plan.first_node) - 1, len(moves.kind)
-    found = Clip(np.array(cast.translations), np.array(cast.rotations))
-    told = Told(*(np.zeros((frames, characters), dtype=np.int64) for _ in range(2)))
-    return (
-        table,
-        Clip(np.array(cast.translations), np.array(cast.rotations)),
-        found,
-        told,
-        tree,
-        ranks,
-        moves,
-        Settings(*(getattr(settings, name) for name in Settings._fields)),
-        Pose(*(np.zeros((nodes, size)) for size in (3, 4, 3, 4))),
-        Saved(np.zeros((3, nodes, 3)), np.zeros((3, nodes, 4))),
-        Asked(
-            on=np.zeros(tasks, dtype=np.bool_),
-            base=np.zeros((tasks, 3)),
-            kept=np.zeros((tasks, 3)),
-            free=np.zeros((tasks, 3)),
-            pinned=np.zeros(nodes, dtype=np.bool_),
-            gains=np.ones(count),
-            shifted=np.zeros((count, 3)),
-            stretches=np.ones(count),
-            basis=np.zeros((characters, 3, 3)),
-        ),
-        make_together(problem, tree, plan, count),
-    )
-
-
-def make_together(problem: Problem, tree: Tree, plan: Schedule, count: int) -> Together:
-    """Return room for the steps of all joints."""
-    cast, freedom = problem.cast, tree.freedom
-    moves = problem.recruited & (tree.enter >= 0) & (freedom > 0.0)
-    columns = np.full(cast.node_count, -1, dtype=np.int64)
-    characters = len(plan.first_node) - 1
-    widths = np.zeros(characters, dtype=np.int64)
-    owner = np.cumsum(cast.parents < 0) - 1
-    sizes = np.where(cast.translates, 6, 3)
-    for node in np.flatnonzero(moves).tolist():
-        columns[node] = widths[owner[node]]
-        widths[owner[node]] += sizes[node]
-    width = int(widths.max(initial=1))
-    each = np.ones((characters, width))
-    for node in np.flatnonzero(moves).tolist():
-        each[owner[node], columns[node] : columns[node] + sizes[node]] = freedom[node]
-    rows = 3 * int(np.diff(plan.first_task).max(initial=1))
-    return Together(
-        translates=np.array(cast.translates),
-        columns=columns,
-        widths=widths,
-        freedom=each,
-        rows=np.zeros((characters, rows, width)),
-        errors=np.zeros((characters, rows)),
-        solved=np.zeros((characters, rows)),
-        fixed=np.zeros((characters, width)),
-        frozen=np.zeros(count, dtype=np.bool_),
-        damping=np.zeros((characters, rows)),
-        gram=np.zeros((characters, rows, rows)),
-        block=np.zeros((characters, 3, width)),
-        step=np.zeros((characters, width)),
-    )
+    @property
+    def _settings(self) -> Settings:
+        return Settings(*(getattr(self, name) for name in Settings._fields))

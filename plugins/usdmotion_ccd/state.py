@@ -155,6 +155,12 @@ class Asked(NamedTuple):
     """(N,) nodes that a rank above holds in place."""
     gains: Floats
     """(B,) how much of a shift of the root arrives."""
+    raw: Floats
+    """(T, 3) what is asked of each less what is, when it was last measured."""
+    left: Floats
+    """(T, 3) what each still asks for, when it was last measured."""
+    slopes: Floats
+    """(T, 9) how that decreases with a turn of a joint, when that was last asked: three rows."""
     shifted: Floats
     """(B, 3) the error that the last shift was for, zero for none."""
     stretches: Floats
@@ -194,6 +200,34 @@ class Together(NamedTuple):
     """(C, D)"""
 
 
+class Sight(NamedTuple):
+    """What tells how a task stands."""
+
+    table: Reference[TaskTable]
+    tree: Reference[Tree]
+    pose: Reference[Pose]
+    asked: Reference[Asked]
+
+
+Measure = Callable[[Sight, int, int], None]
+"""`measure`, handed over."""
+Slope = Callable[[Sight, int, int, int], None]
+"""`slope`, handed over."""
+Place = Callable[[Reference[Tree], Reference[Pose], int, int], None]
+"""`place`, handed over."""
+Orient = Callable[[Reference[Tree], Reference[Pose], int, float, float, float, float], None]
+"""`orient_joint`, handed over."""
+
+
+class Calls(NamedTuple):
+    """What is called from so many places that it is compiled apart."""
+
+    measure: Measure
+    slope: Slope
+    place: Place
+    orient: Orient
+
+
 class Work(NamedTuple):
     """All of it, by reference."""
 
@@ -209,12 +243,13 @@ class Work(NamedTuple):
     saved: Reference[Saved]
     asked: Reference[Asked]
     together: Reference[Together]
+    calls: Calls
 
 
 Parts = tuple[
-    TaskTable, Clip, Clip, Told, Tree, Ranks, Moves, Settings, Pose, Saved, Asked, Together
+    TaskTable, Clip, Clip, Told, Tree, Ranks, Moves, Settings, Pose, Saved, Asked, Together, Calls
 ]
-"""What `Work` refers to."""
+"""What `Work` refers to, and the functions that it hands over."""
 
 Step = Callable[[Work, int, int, int, int, float], bool]
 """`step`, handed over."""

@@ -7,7 +7,7 @@ shortest turn of all joints that makes up for them, in the metric of their stiff
 import math
 
 from usdmotion import Floats
-from usdmotion.kernels import is_slack, shared, summing, task_error, task_rows
+from usdmotion.kernels import is_slack, shared, summing, task_rows
 from usdmotion.kernels.quaternions import (
     cross,
     inverse,
@@ -19,7 +19,7 @@ from usdmotion.kernels.quaternions import (
     vector_at,
 )
 from usdmotion_ccd.bending import SHORT, stretch
-from usdmotion_ccd.errors import dot, length
+from usdmotion_ccd.errors import dot, left, length
 from usdmotion_ccd.posing import place_character, within
 from usdmotion_ccd.state import LIMB, Work
 
@@ -124,7 +124,8 @@ def _add_rows(work: Work, frame: int, character: int, task: int, share: float, c
     Of what ranks above, a share of 0, all of the error is to be made up for, whatever it takes.
     """
     tree, pose, joint, kept = work.tree[0], work.pose[0], work.together[0], work.asked[0].kept
-    x, y, z = task_error(work.table, frame, task, pose.positions, pose.orientations)
+    left(work, frame, task)
+    x, y, z = vector_at(work.asked[0].raw, task)
     error = (x - kept[task, 0], y - kept[task, 1], z - kept[task, 2])
     if is_slack(work.table, task, error):
         return count
@@ -196,7 +197,7 @@ def _turn_all(work: Work, character: int) -> bool:
         back = inverse(quaternion_at(pose.orientations, max(tree.parents[node], 0)))
         x, y, z = turned(back, (step[column], step[column + 1], step[column + 2]))
         turn = quaternion((scale * x, scale * y, scale * z))
-        own = within(work, node, unit(product(turn, quaternion_at(pose.rotations, node))))
+        own = within(work.tree, node, unit(product(turn, quaternion_at(pose.rotations, node))))
         for axis in range(4):
             pose.rotations[node, axis] = own[axis]
         if joint.translates[node]:

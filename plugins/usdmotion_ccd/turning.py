@@ -20,6 +20,7 @@ from usdmotion_ccd.errors import (
     left,
     length,
     lever,
+    sight,
     turned_share,
 )
 from usdmotion_ccd.posing import turn
@@ -73,9 +74,9 @@ def _bar_task(work: Work, frame: int, character: int, task: int, move: int, coun
     if work.table[0].bound[task] != 0 and length(left(work, frame, task)) == 0.0:
         return count
     if work.moves[0].kind[move] == SHIFT:
-        factor = carried_factor(work, frame, task, node)
+        factor = carried_factor(sight(work), frame, task, node)
         rows = (factor, 0.0, 0.0, 0.0, factor, 0.0, 0.0, 0.0, factor)
-        rows = along_held_rows(work, frame, task, rows)
+        rows = along_held_rows(sight(work), frame, task, rows)
     else:
         rows = effect(work, frame, task, node)
     count = _bar_direction(work, character, (rows[0], rows[1], rows[2]), count)
@@ -201,7 +202,7 @@ def _exactly(
         axis = free_axis(work, character)
     error = left(work, frame, task)
     if work.table[0].kind[task] == ROTATION:
-        share = turned_share(work, frame, task, node)
+        share = turned_share(sight(work), frame, task, node)
         if share < 0.1:
             return (found[0], found[1], found[2])
         scale = 1.0 / share
@@ -211,7 +212,7 @@ def _exactly(
         return (scale * error[0], scale * error[1], scale * error[2])
     if not is_directly_held(work, task):
         return (found[0], found[1], found[2])
-    arm = lever(work, frame, task, node)
+    arm = lever(sight(work), frame, task, node)
     goal = (arm[0] + error[0], arm[1] + error[1], arm[2] + error[2])
     if length(arm) < 1e-6 or length(goal) < 1e-6:
         return (0.0, 0.0, 0.0)
