@@ -18,7 +18,7 @@ from usdmotion.s4d.postures import seen_from_carriers
 from usdmotion.s4d.roots import split_heading
 from usdmotion.s4d.turns import Y, continuous, swing
 
-_STILL = 1e-7
+_STILL = 2e-6
 """Translation of a joint away from rest that is none, over leg length."""
 
 
