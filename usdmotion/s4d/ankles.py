@@ -22,6 +22,8 @@ class Foot(NamedTuple):
     """In the world [m], shape (frame_count, 3)."""
     turn: Floats
     """World orientation of the ankle joint, xyzw, shape (frame_count, 4)."""
+    toes: Floats
+    """By what the toes are turned in the world, xyzw, shape (frame_count, 4)."""
 
 
 def held_back(
@@ -56,7 +58,7 @@ def held_back(
     ball = leg.ball_in_foot(pose)
     about_ball = foot.ankle + rotate(foot.turn, ball) - rotate(turn, ball)
     rises = (about_ball - foot.ankle) @ up > 0.0
-    return Foot(np.where(rises[:, None], about_ball, foot.ankle), turn)
+    return Foot(np.where(rises[:, None], about_ball, foot.ankle), turn, foot.toes)
 
 
 def _as_people(leg: Leg, pose: Pose, shank: Floats, turn: Floats) -> Floats:

@@ -9,15 +9,18 @@ from usdmotion.arrays import Floats
 from usdmotion.ground import Ground
 from usdmotion.kernels import conjugate, forward, multiply, rotate
 from usdmotion.motion import Body, Motion, Placement
+from usdmotion.quality import speed
 from usdmotion.s4d.ankles import Foot, held_back
 from usdmotion.s4d.clearance import lift
-from usdmotion.s4d.footprints import ANKLE, BALL, Footprint, stances_of
+from usdmotion.s4d.footprints import ANKLE, BALL, Footprint, Stance, from_heel_strike, stances_of
 from usdmotion.s4d.heights import Heights, heights_of
 from usdmotion.s4d.legs import Leg, Pose, bent
 from usdmotion.s4d.morphology import Morphology
 from usdmotion.s4d.treads import Level, Tread, treads_of
 from usdmotion.s4d.turns import across
 
+_HEEL_AT, _HEEL_RESTS = 0.03, 0.4
+"""A heel this near to the ground [m], and this slow [m/s], has come down."""
 _ROUNDS = 4
 """How often legs are bent and ankles held back, until both agree."""
 
@@ -69,9 +72,9 @@ def stand(
     """
     pose = _pose(motion, placement, morphology)
     legs = [Leg.of(morphology, side) for side in "lr"]
-    stances = [stances_of(footprints, leg.side, motion.times) for leg in legs]
     at_rest = dict(zip((ANKLE, BALL), morphology.standing_heights, strict=True))
     level = Level.of(footprints, at_rest, up, made_on)
+    stances = [_stances(pose, leg, footprints, level, motion.times, up) for leg in legs]
     treads = treads_of(pose, legs, stances, level, ground, times=motion.times, up=up)
     feet = [
         _foot(pose, leg, tread, level, ground, motion.times, up)
@@ -110,6 +113,22 @@ def _pose(motion: Motion, placement: Placement, morphology: Morphology) -> Pose:
     return Pose(positions[:, 1:], orientations[:, 1:])
 
 
+def _stances(
+    pose: Pose,
+    leg: Leg,
+    footprints: Sequence[Footprint],
+    level: Level,
+    times: Floats,
+    up: Floats,
+) -> tuple[Stance, ...]:
+    """Return when and where a foot stands, from the moment on at which its heel does."""
+    stances = stances_of(footprints, leg.side, times)
+    point = leg.sole_points(level.over)[0]
+    heel = pose.positions[:, leg.ankle] + rotate(pose.rotations[:, leg.ankle], point)
+    low = np.abs(heel @ up - level.height) < _HEEL_AT
+    return from_heel_strike(stances, times, low & (speed(times, heel) < _HEEL_RESTS))
+
+
 def _foot(
     pose: Pose,
     leg: Leg,
@@ -126,10 +145,10 @@ def _foot(
     points = leg.sole_points(level.over)
     soles, original = (
         ankle[:, None] + rotate(turn[:, None], points)
-        for ankle, turn in (foot, (pose.positions[:, leg.ankle], pose.rotations[:, leg.ankle]))
+        for ankle, turn in (foot[:2], (pose.positions[:, leg.ankle], pose.rotations[:, leg.ankle]))
     )
     higher = lift(soles, original, level.height, tread.stands, ground, times, up)
-    return Foot(foot.ankle + higher[:, None] * up, foot.turn)
+    return foot._replace(ankle=foot.ankle + higher[:, None] * up)
 
 
 def _carried(treads: Sequence[Tread]) -> Floats:
@@ -163,10 +182,14 @@ def _bend(
     parents, (thigh, shank) = morphology.skeleton.parents, turn
     # Above the hip nothing turns, and what is between two joints of a leg turns with the first.
     still = np.broadcast_to((0.0, 0.0, 0.0, 1.0), thigh.shape)
-    for joint, above, world in (
+    links = [
         (leg.hip, still, multiply(thigh, pose.rotations[:, leg.hip])),
         (leg.knee, thigh, multiply(shank, pose.rotations[:, leg.knee])),
         (leg.ankle, shank, foot.turn),
-    ):
+    ]
+    if leg.ball is not None:
+        held = multiply(foot.turn, conjugate(pose.rotations[:, leg.ankle]))
+        links.append((leg.ball, held, multiply(foot.toes, pose.rotations[:, leg.ball])))
+    for joint, above, world in links:
         carrier = multiply(above, pose.rotations[:, int(parents[joint])])
         rotations[:, joint] = multiply(conjugate(carrier), world)

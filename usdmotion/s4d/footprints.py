@@ -10,6 +10,8 @@ from usdmotion.kernels import slerp
 
 ANKLE, BALL = "talocrural", "metatarsophalangeal"
 """The joints of a foot that leave footprints, without their side."""
+_STRIKE = 0.25
+"""A ball comes down this soon after its heel, if the heel belongs to its stance [s]."""
 _SLACK = 1e-6
 """How far a frame may be beside the end of a footprint that it counts to [s]."""
 
@@ -107,6 +109,26 @@ def _apart(stances: Sequence[Stance]) -> tuple[Stance, ...]:
         if held.any():
             kept.append(Stance(each.footprint, held, frames, each.turned))
     return tuple(kept)
+
+
+def from_heel_strike(stances: Sequence[Stance], times: Floats, heel: Bools) -> tuple[Stance, ...]:
+    """Return stances that begin when the heel comes to stand, not when the ball does.
+
+    Args:
+        stances: Of one foot.
+        times: Seconds, shape (frame_count,).
+        heel: On which frames the heel rests on the ground, shape (frame_count,).
+    """
+    free = heel & ~np.any([each.frames for each in stances] or [np.zeros_like(heel)], axis=0)
+    grown = []
+    for each in stances:
+        frames = np.array(each.frames)
+        first, begins = int(frames.argmax()), times[frames.argmax()]
+        while first and free[first - 1] and begins - times[first - 1] <= _STRIKE:
+            first -= 1
+            frames[first] = True
+        grown.append(Stance(each.footprint, each.held, frames, each.turned))
+    return tuple(grown)
 
 
 def between(times: Floats, known: Bools, values: Floats) -> Floats:

@@ -13,6 +13,8 @@ _SAMPLES = 7
 """How many places along a sole the ground is looked at."""
 _GIVES = 0.01
 """How far the ground may stand into the middle of a sole [m]: flesh and shoes give way."""
+_MOST = 0.7
+"""A sole that is over an edge lies on what is higher unless so much of it is over the lower side."""
 _HALF_WIDTH = 0.035
 """Half the width of a sole [m]."""
 _STEEPEST = np.tan(np.radians(40.0))
@@ -71,14 +73,18 @@ def lie(
     points = np.concatenate([line, line + side, line - side], axis=1)
     heights, _ = ground.under(points, times)
     middle, left, right = np.split(heights, 3, axis=1)
-    along = _along(middle, ahead)
+    along, higher = _along(middle, ahead)
     aslant = _across(left, right)
     normal = np.cross(heading + along[:, None] * up, aside + aslant[:, None] * up)
-    return Lie(middle[:, 0], swing(up, unit(normal)))
+    return Lie(middle[:, 0] + higher, swing(up, unit(normal)))
 
 
-def _along(heights: Floats, ahead: Floats) -> Floats:
-    """Return the slope of a sole along the foot, (F, S), (S,) to (F,)."""
+def _along(heights: Floats, ahead: Floats) -> tuple[Floats, Floats]:
+    """Return the slope of a sole along the foot, and how much higher it lies than one of its ends.
+
+    That is where most of it is over something higher, as a heel on the edge of a step that its ball
+    is beyond. Shapes (F, S), (S,) to (F,), (F,).
+    """
     rises = np.nan_to_num(heights - heights[:, :1], nan=-1.0)  # beside the ground it falls away
     back, front = ahead.argmin(), ahead.argmax()
     chord = (rises[:, front] - rises[:, back]) / (ahead[front] - ahead[back])
@@ -90,8 +96,15 @@ def _along(heights: Floats, ahead: Floats) -> Floats:
     highest = np.where((ways < 0.0) & (bounds > -_STEEPEST), bounds, _STEEPEST).min(axis=1)
     resting = np.clip(chord, lowest, np.maximum(lowest, highest))
     inside = (rises - chord[:, None] * ahead).max(axis=1)
+    slope = chord + _given_way(inside) * (resting - chord)
+    most = np.quantile(rises - slope[:, None] * ahead, _MOST, axis=1)
+    return slope, _given_way(most) * most
+
+
+def _given_way(inside: Floats) -> Floats:
+    """Return 0 where a sole gives way to what stands into it, 1 where it cannot."""
     share = np.clip(inside / _GIVES - 1.0, 0.0, 1.0)
-    return np.asarray(chord + share * share * (3.0 - 2.0 * share) * (resting - chord))
+    return np.asarray(share * share * (3.0 - 2.0 * share))
 
 
 def _across(left: Floats, right: Floats) -> Floats:

@@ -32,8 +32,9 @@ class Tread:
     """By what it is turned so that it stands as its footprints say, xyzw, (frame_count, 4)."""
     sloped: Floats
     """By what it is turned after that, to lie on the ground, xyzw, (frame_count, 4)."""
-    over: float
-    """How high the joint that it stands on is over its sole [m]."""
+    contact: Floats
+    """Where it touches the ground, seen from the joint that it stands on, before it is turned [m],
+    shape (frame_count, 3)."""
     groundless: tuple[Footprint, ...] = ()
     """The footprints under which there is no ground."""
 
@@ -41,12 +42,10 @@ class Tread:
         """Return where the foot is to be."""
         stands_on, ankle = (pose.positions[:, joint] for joint in (leg.stands_on, leg.ankle))
         turn = multiply(self.sloped, self.turned)
-        # It turns about the contact under the joint that it stands on.
-        contact = stands_on + self.drawn - self.over * up
-        held = contact + rotate(self.sloped, np.broadcast_to(self.over * up, contact.shape))
-        return Foot(
-            held + rotate(turn, ankle - stands_on), multiply(turn, pose.rotations[:, leg.ankle])
-        )
+        # It lies down about the place where it touches the ground.
+        held = stands_on + self.drawn + self.contact - rotate(self.sloped, self.contact)
+        ankle = held + rotate(turn, ankle - stands_on)
+        return Foot(ankle, multiply(turn, pose.rotations[:, leg.ankle]), turn)
 
 
 @dataclass(frozen=True)
@@ -130,7 +129,7 @@ def treads_of(
         laid[foot].append(one)
         risen = one.risen
     return [
-        _tread(pose.rotations[:, leg.ankle], own, level.over[leg.stands_by], times)
+        _tread(pose.rotations[:, leg.ankle], own, -level.over[leg.stands_by] * up, times)
         for leg, own in zip(legs, laid, strict=True)
     ]
 
@@ -142,6 +141,7 @@ class _Laid:
     stance: Stance
     drawn: Floats
     sloped: Floats
+    contact: Floats
     risen: float
     """How much higher the ground is under it than that which the motion was made on [m]."""
     found: bool
@@ -164,9 +164,8 @@ def _laid(
     drawn = stance.drawn(pose.positions[:, joint])
     level_turns = np.broadcast_to(_NONE, (len(drawn), 4))
     if ground is None:
-        return _Laid(stance, drawn, level_turns, 0.0, True)
-    above = level.above(footprint, up)
-    contact = footprint.place - above * up
+        return _Laid(stance, drawn, level_turns, np.zeros_like(drawn), 0.0, True)
+    contact = footprint.place - level.above(footprint, up) * up
     heading = leg.heading(pose.rotations[frames], up).mean(axis=0)
     heading /= max(float(np.linalg.norm(heading)), 1e-9)
     shape = (len(drawn), 3)
@@ -180,21 +179,31 @@ def _laid(
     )
     known = ~np.isnan(lying.heights)
     if known.mean() < 0.5:
-        return _Laid(stance, drawn, level_turns, 0.0, False)
+        return _Laid(stance, drawn, level_turns, np.zeros_like(drawn), 0.0, False)
     heights = between(times[frames], known, lying.heights)
     rises = heights - contact @ up
-    return _Laid(stance, drawn + rises[:, None] * up, lying.turns, float(rises[-1]), True)
+    below = contact - (pose.positions[frames, leg.stands_on] + drawn)
+    risen = float(rises[-1])
+    return _Laid(stance, drawn + rises[:, None] * up, lying.turns, below, risen, True)
 
 
-def _tread(turns: Floats, laid: Sequence[_Laid], over: float, times: Floats) -> Tread:
-    """Return the way of one foot, whose ankle is turned as the motion says on each frame."""
+def _tread(turns: Floats, laid: Sequence[_Laid], below: Floats, times: Floats) -> Tread:
+    """Return the way of one foot.
+
+    Args:
+        turns: How its ankle is turned in the motion, xyzw, shape (frame_count, 4).
+        laid: Its stances.
+        below: Where its sole is as it swings, seen from the joint that it stands on [m].
+        times: Seconds, shape (frame_count,).
+    """
     count = len(times)
     stands, drawn = np.zeros(count, dtype=np.bool_), np.zeros((count, 3))
-    sloped = np.tile(_NONE, (count, 1))
+    sloped, off = np.tile(_NONE, (count, 1)), np.zeros((count, 3))
     for each in laid:
         stands |= each.stance.frames
         drawn[each.stance.frames] = each.drawn
         sloped[each.stance.frames] = each.sloped
+        off[each.stance.frames] = each.contact - below
     said, turned = np.zeros(count, dtype=np.bool_), np.tile(_NONE, (count, 1))
     for footprint in (one for each in laid for one in each.stance.turned):
         held = footprint.during(times)
@@ -202,8 +211,8 @@ def _tread(turns: Floats, laid: Sequence[_Laid], over: float, times: Floats) -> 
         if footprint.rotation is not None:
             turned[held] = multiply(footprint.rotation, conjugate(turns[held]))
     if stands.any():
-        drawn, sloped = between(times, stands, drawn), between(times, stands, sloped)
+        drawn, sloped, off = (between(times, stands, each) for each in (drawn, sloped, off))
     if said.any():
         turned = between(times, said, turned)
     groundless = tuple(each.stance.footprint for each in laid if not each.found)
-    return Tread(stands, drawn, turned, sloped, over, groundless)
+    return Tread(stands, drawn, turned, sloped, below + off, groundless)
