@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from usdmotion import kernels
 from usdmotion.cleaning import Cleaning, cleaned
+from usdmotion.detecting import Detected, Search
 from usdmotion.errors import SceneError
+from usdmotion.grounding import Detect, Grounding, Told, grounded, standing_on
 from usdmotion.kernels.compiling import cache_folder
 from usdmotion.options import configured
 from usdmotion.options import options as options_of
@@ -22,8 +25,26 @@ from usdmotion.solving import Solver
 if TYPE_CHECKING:
     from usdmotion.usd import Result, Shot
 
+DEFAULT_DETECTOR = "contacts"
+"""What finds the feet that stand, where an edit has a ground and no contacts."""
 Say = Callable[[str], None]
 """Is told what is being done now, in a few words."""
+
+
+@dataclass(frozen=True, eq=False)
+class Answers:
+    """The scenes of a shot, solved, and what was done to the input of edits first, by paths."""
+
+    scenes: tuple[SolvedScene, ...]
+    cleanings: Mapping[str, Cleaning]
+    groundings: Mapping[str, Grounding]
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """One sentence about each thing that was done to an input."""
+        cleaned_first = (each.sentence(path) for path, each in self.cleanings.items())
+        put = (each.sentence(path) for path, each in self.groundings.items())
+        return (*cleaned_first, *put)
 
 
 def solved_scenes(
@@ -31,15 +52,17 @@ def solved_scenes(
     solver: str | None = None,
     options: Mapping[str, object] | None = None,
     *,
+    ground: Told | None = None,
     mend_recruiting: bool = False,
     say: Say = lambda _: None,
-) -> tuple[list[SolvedScene], dict[str, Cleaning]]:
-    """Return the scenes of a shot, solved, and what was done to the input of edits first.
+) -> Answers:
+    """Return the scenes of a shot, solved.
 
     Args:
         shot: What was read.
         solver: Name of the solver; None takes what each edit says.
         options: Options of the solver, on top of those that an edit carries for it.
+        ground: A ground that is no prim, for all edits; None takes what each has.
         mend_recruiting: Let constraints recruit what the recruiting rule asks of them.
         say: Is told what is being done.
 
@@ -49,14 +72,31 @@ def solved_scenes(
     """
     scenes: list[SolvedScene] = []
     cleanings: dict[str, Cleaning] = {}
+    groundings: dict[str, Grounding] = {}
     for scene in shot.scenes:
         chosen = _configured(scene.edits, solver, options or {})
         slow = not _is_compiled(chosen)
         say("compiling the solver, once: up to 10 s" if slow else f"solving {_names(scene)}")
         clean, told = cleaned(scene, Checked(chosen).solve)
         cleanings |= told
-        scenes.append(SolvedScene(clean, chosen, mend_recruiting=mend_recruiting))
-    return scenes, cleanings
+        stood = grounded(standing_on(clean, ground), feet_detector())
+        groundings |= stood.accounts
+        scenes.append(
+            SolvedScene(stood.scene, chosen, mend_recruiting=mend_recruiting, on_ground=stood.posed)
+        )
+    return Answers(tuple(scenes), cleanings, groundings)
+
+
+def feet_detector() -> Detect:
+    """Return what finds contacts of feet as `clean` does, and is looked for when it is needed."""
+
+    def detect(search: Search) -> Detected:
+        kind = host().detector(DEFAULT_DETECTOR)
+        # A foot that is only setting down or rolling off does not stand yet, or no more.
+        known = any(each.name == "rounds" for each in options_of(kind))
+        return configured(kind, {"rounds": 1} if known else {}).detect(search)
+
+    return detect
 
 
 def results_of(solved: SolvedScene) -> Iterable[Result]:

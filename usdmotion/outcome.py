@@ -47,6 +47,8 @@ class Outcome:
     """Parallel to the scene's edits."""
     notes: tuple[str, ...] = ()
     """What was said when it was solved."""
+    told: bool = False
+    """Whether its ground was told by a program, so that nothing on the stage says what it is."""
 
     @cached_property
     def problem(self) -> Problem:

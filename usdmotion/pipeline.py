@@ -11,6 +11,8 @@ from usdmotion.answering import Say
 from usdmotion.asking import Asked, Example
 from usdmotion.capture import Capture
 from usdmotion.errors import FileError, InputError
+from usdmotion.grounding import Asked as Ground
+from usdmotion.grounding import told_by
 from usdmotion.normalizing import normalize as normalize
 from usdmotion.options import configured
 from usdmotion.planting import Wish, plant
@@ -164,6 +166,7 @@ def solve(
     options: Mapping[str, object] | None = None,
     frames: tuple[float, float] | None = None,
     cleaning: float | None = None,
+    ground: Ground = None,
     compose: Path | None = None,
     mend_recruiting: bool = False,
     page: Path | None = None,
@@ -180,6 +183,9 @@ def solve(
         frames: First and last time code to solve; None takes what each edit says.
         cleaning: Cutoff of the filter that cleans the input first [Hz], 0 for none; None takes
             what each edit says.
+        ground: What the input is put on after that: paths of prims, none for no ground; a `Ground`,
+            or a function that returns heights, as `FunctionGround` has it. None takes what each
+            edit says.
         compose: Where to write a stage that shows the answer over the shot; None writes none.
         mend_recruiting: Let constraints recruit what the recruiting rule asks of them.
         page: Where to write the report of it, as `reporting.report` does; None writes none.
@@ -201,13 +207,14 @@ def solve(
         options=options,
         frames=frames,
         cleaning=cleaning,
+        ground=ground,
         mend_recruiting=mend_recruiting,
         say=say,
     )
     say(f"writing {output}")
     session.write(output, compose=compose)
     if page is not None:
-        report(output, page, shot=shot, say=say)
+        report(output, page, shot=shot, ground=told_by(ground), say=say)
     return session.report()
 
 

@@ -60,8 +60,8 @@ def plant(
     except SceneError as error:
         named = str(error).startswith(f"{shot}: ")
         raise error if named else SceneError(f"{shot}: {error}") from error
-    scenes, cleanings = solved_scenes(read, say=say)
-    told = (*read.warnings, *(each.sentence(path) for path, each in cleanings.items()))
+    answers = solved_scenes(read, say=say)
+    scenes, told = answers.scenes, (*read.warnings, *answers.notes)
     edits = tuple(edit for solved in scenes for edit in solved.report().edits)
     notes = (
         *looked.notes,

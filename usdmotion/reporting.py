@@ -4,8 +4,10 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from usdmotion.answering import feet_detector
 from usdmotion.cleaning import cleaned
 from usdmotion.errors import FileError
+from usdmotion.grounding import Told, grounded, standing_on
 from usdmotion.options import configured
 from usdmotion.outcome import Outcome
 from usdmotion.passes import Checked
@@ -24,6 +26,7 @@ def report(
     *,
     shot: Path | None = None,
     png: Path | None = None,
+    ground: Told | None = None,
     say: Callable[[str], None] = lambda _: None,
 ) -> tuple[Findings, ...]:
     """Write the report of what a stage, or a layer of results, shows.
@@ -35,6 +38,7 @@ def report(
         output: The file of HTML.
         shot: The shot under the layer; None finds it beside it, as `usd.read_outcomes` says.
         png: The folder into which the pictures are written as well, made where it is missing.
+        ground: The ground that a program told when it was solved.
         say: Is told what is being done.
 
     Returns:
@@ -49,7 +53,7 @@ def report(
     require_matplotlib()
     say(f"reading {result}")
     read = usd.read_outcomes(result, shot=shot, kinds=host().constraints)
-    outcomes = [_from_cleaned_input(each) for each in read]
+    outcomes = [_from_its_input(each, ground, result) for each in read]
     say("measuring")
     findings = tuple(findings_of(outcome) for outcome in outcomes)
     say("drawing")
@@ -65,14 +69,23 @@ def report(
     return findings
 
 
-def _from_cleaned_input(outcome: Outcome) -> Outcome:
-    """Return an outcome beside the input that its edits started from, where they cleaned it."""
-    if not any(edit.cleaning > 0.0 for edit in outcome.scene.edits):
-        return outcome
-    record = outcome.records[0]
-    solver = configured(host().solver(record.solver), record.options)
-    scene, _ = cleaned(outcome.scene, Checked(solver).solve)
-    return replace(outcome, scene=scene)
+def _from_its_input(outcome: Outcome, told: Told | None, result: Path) -> Outcome:
+    """Return an outcome beside the input that its edits started from, and what was solved.
+
+    That was cleaned, or put on the ground, where they ask for it.
+    """
+    if outcome.told and told is None:
+        raise FileError(
+            f"{result}: its motion was put on a ground that a program told, so that only a program "
+            "can report it; call usdmotion.reporting.report with that ground"
+        )
+    scene = standing_on(outcome.scene, told if outcome.told else None)
+    if any(edit.cleaning > 0.0 for edit in scene.edits):
+        record = outcome.records[0]
+        solver = configured(host().solver(record.solver), record.options)
+        scene, _ = cleaned(scene, Checked(solver).solve)
+    stood = grounded(scene, feet_detector())
+    return replace(outcome, scene=stood.posed(stood.scene))
 
 
 def _write_pictures(chapters: list[Chapter], folder: Path) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 from usdmotion.arrays import Bools, Floats, seal
 from usdmotion.cast import Cast, Character
 from usdmotion.constraints import Constraint, during
+from usdmotion.ground import Ground
 from usdmotion.tasks import Demand
 
 
@@ -29,6 +30,8 @@ class Edit:
     """Cutoff of the filter between two passes [Hz]; 0 is off."""
     cleaning: float = 0.0
     """Cutoff of the filter that cleans the input first [Hz]; 0 leaves the input as it is."""
+    ground: Ground | None = None
+    """What the input is put on after that; None leaves it where it is."""
     passes: int = 1
     """How often the constraints are enforced; with smoothing at least twice."""
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from usdmotion.answering import Say, results_of, solved_scenes
+from usdmotion.answering import Answers, Say, results_of, solved_scenes
 from usdmotion.arrays import Floats
-from usdmotion.cleaning import Cleaning
 from usdmotion.constraints import Constraint, altered, sound
 from usdmotion.errors import FileError, SceneError
+from usdmotion.grounding import PROGRAM, Asked, is_footprint, prims_of, told_by
 from usdmotion.motion import Motion
 from usdmotion.plugins import host
 from usdmotion.report import Report
@@ -41,22 +41,16 @@ class Session:
     everything as it was; one is undone by setting the constraint that was there before.
     """
 
-    def __init__(
-        self,
-        shot: Shot,
-        scenes: Sequence[SolvedScene],
-        cleanings: Mapping[str, Cleaning] | None = None,
-    ) -> None:
+    def __init__(self, shot: Shot, answers: Answers) -> None:
         """Take over what was read and solved; `Session.open` is what reads and solves.
 
         Args:
             shot: What was read.
-            scenes: Its scenes.
-            cleanings: What was done to the input of edits before, by their paths.
+            answers: Its scenes, solved, and what was done to the input of edits before.
         """
         self._shot = shot
-        self._scenes = tuple(scenes)
-        self._cleanings = dict(cleanings or {})
+        self._scenes = answers.scenes
+        self._answers = answers
 
     @classmethod
     def open(
@@ -68,6 +62,7 @@ class Session:
         options: Mapping[str, object] | None = None,
         frames: tuple[float, float] | None = None,
         cleaning: float | None = None,
+        ground: Asked = None,
         mend_recruiting: bool = False,
         say: Say = lambda _: None,
     ) -> Session:
@@ -81,6 +76,9 @@ class Session:
             frames: First and last time code to solve; None takes what each edit says.
             cleaning: Cutoff of the filter that cleans the input first [Hz], 0 for none; None takes
                 what each edit says. What is changed later is asked of the cleaned input too.
+            ground: What the input is put on after that: paths of prims, none for no ground; a
+                ground, or a function of places and times that returns heights, as `FunctionGround`
+                has it. None takes what each edit says. Contacts of feet stay as they are then.
             mend_recruiting: Let constraints recruit what the recruiting rule asks of them.
             say: Is told what is being done.
 
@@ -94,11 +92,16 @@ class Session:
             raise FileError(f"{shot}: there is no such file")
         say(f"reading {shot}")
         kinds = host().constraints
-        read = usd.read(shot, edits=edits, frames=frames, cleaning=cleaning, kinds=kinds)
-        scenes, cleanings = solved_scenes(
-            read, solver, options or {}, mend_recruiting=mend_recruiting, say=say
+        told, named = told_by(ground), prims_of(ground)
+        read = usd.read(
+            shot, edits=edits, frames=frames, cleaning=cleaning, ground=named, kinds=kinds
         )
-        return cls(read, scenes, cleanings)
+        if told is not None:
+            read = replace(read, ground=(PROGRAM,))
+        answers = solved_scenes(
+            read, solver, options or {}, ground=told, mend_recruiting=mend_recruiting, say=say
+        )
+        return cls(read, answers)
 
     @property
     def constraints(self) -> tuple[Constraint, ...]:
@@ -171,7 +174,11 @@ class Session:
     def report(self) -> Report:
         """Return what is left of every constraint, measured from the answer as it is now."""
         edits = (
-            replace(edit, cleaning=self._cleanings.get(edit.path))
+            replace(
+                edit,
+                cleaning=self._answers.cleanings.get(edit.path),
+                ground=self._answers.groundings.get(edit.path),
+            )
             for solved in self._scenes
             for edit in solved.report().edits
         )
@@ -180,9 +187,8 @@ class Session:
     @property
     def notes(self) -> tuple[str, ...]:
         """One sentence about each thing that whoever asked should know."""
-        cleaned_first = (each.sentence(path) for path, each in self._cleanings.items())
         told = (note for solved in self._scenes for note in solved.notes)
-        return (*self._shot.warnings, *cleaned_first, *told)
+        return (*self._shot.warnings, *self._answers.notes, *told)
 
     def write(self, output: Path, *, compose: Path | None = None) -> None:
         """Write the layer that puts the answer over the shot.
@@ -201,9 +207,9 @@ class Session:
 
         if compose is not None:
             usd.require_composable(self._shot, output, compose)  # before anything is written
-        # Results are what has changed of the motions that were read, be these cleaned or not.
+        # Results are what has changed of what was read, be that cleaned and put on a ground or not.
         pairs = zip(self._shot.scenes, self._scenes, strict=True)
-        asked = (replace(solved.scene, characters=read.characters) for read, solved in pairs)
+        asked = (_as_read(solved.scene, read) for read, solved in pairs)
         shot = replace(self._shot, scenes=tuple(asked))
         results = [each for solved in self._scenes for each in results_of(solved)]
         usd.write(shot, results, output, notes=self.notes)
@@ -213,9 +219,24 @@ class Session:
     def _replace(self, path: str, constraint: Constraint | None) -> Change:
         """Solve with another constraint of a path, with one more, or with one less."""
         solved = self._holding(path)
+        self._refuse_footprints(solved.scene, path, constraint)
         scene = _with(solved.scene, path, constraint)
         frames = solved.become(scene)
         return Change(_skeletons(scene), frames, scene.time_codes[frames])
+
+    def _refuse_footprints(self, scene: Scene, path: str, constraint: Constraint | None) -> None:
+        """Raise if a change is of a contact that the input was put on the ground by."""
+        edit = next(each for each in scene.edits if path.startswith(f"{each.path}/"))
+        if edit.path not in self._answers.groundings:
+            return
+        character = scene.character(edit.skeleton)
+        before = (each for each in edit.constraints if each.path == path)
+        for each in (*before, constraint):
+            if each is not None and is_footprint(each, character):
+                raise SceneError(
+                    f"<{path}> is a footprint by which <{edit.path}> was put on its ground when "
+                    "this session was opened; change it on the stage and open that"
+                )
 
     def _holding(self, path: str) -> SolvedScene:
         """Return the scene with the edit above a path."""
@@ -241,6 +262,13 @@ def _with(scene: Scene, path: str, constraint: Constraint | None) -> Scene:
         )
 
     return replace(scene, edits=tuple(map(changed, scene.edits)))
+
+
+def _as_read(asked: Scene, read: Scene) -> Scene:
+    """Return what is asked of the motions that were read, and of the grounds that were."""
+    grounds = {each.path: each.ground for each in read.edits}
+    edits = tuple(replace(each, ground=grounds[each.path]) for each in asked.edits)
+    return replace(asked, characters=read.characters, edits=edits)
 
 
 def _skeletons(scene: Scene) -> tuple[str, ...]:

@@ -1,6 +1,6 @@
 """A scene with its solution, which goes along with every change of its constraints."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -25,26 +25,36 @@ class SolvedScene:
 
     Attributes:
         scene: What is asked.
-        posed: What is solved: the same, with recruiting mended where that was wished.
+        posed: What is solved: the same, with contacts of feet on their ground, and with recruiting
+            mended where that was wished.
         solver: What solves it.
     """
 
-    def __init__(self, scene: Scene, solver: Solver, *, mend_recruiting: bool = False) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        solver: Solver,
+        *,
+        mend_recruiting: bool = False,
+        on_ground: Callable[[Scene], Scene] = lambda scene: scene,
+    ) -> None:
         """Solve a scene.
 
         Args:
             scene: What is asked.
             solver: With its options.
             mend_recruiting: Let constraints recruit what the recruiting rule asks of them.
+            on_ground: Puts the contacts of feet on the ground that their characters stand on.
 
         Raises:
             SceneError: The scene is at fault.
             PluginError: The solver does not keep its contract.
         """
         self.scene = scene
-        self.posed = mended(scene) if mend_recruiting else scene
-        self.solver = solver
         self._mend = mend_recruiting
+        self._on_ground = on_ground
+        self.posed = mended(on_ground(scene)) if mend_recruiting else on_ground(scene)
+        self.solver = solver
         self._passes = Passes(self.posed, solver)
         self._before = 0.0
 
@@ -79,7 +89,7 @@ class SolvedScene:
             SceneError: The scene is at fault. It stays what it was, and so does the solution.
             PluginError: The solver does not keep its contract; likewise.
         """
-        posed = self._mended(scene)
+        posed = self._posed(scene)
         frames = changed(self.posed, posed)
         if resumes(self.solver):
             levels_kept = same_levels(self.posed, posed)
@@ -117,13 +127,14 @@ class SolvedScene:
             *map(sentence, broken(scene)),
         )
 
-    def _mended(self, scene: Scene) -> Scene:
+    def _posed(self, scene: Scene) -> Scene:
         """Return what is solved; constraints that stay what they were stay the same objects."""
+        grounded = self._on_ground(scene)
         if not self._mend:
-            return scene
+            return grounded
         before = zip(self.scene.constraints, self.posed.constraints, strict=True)
         known = {id(asked): posed for asked, posed in before}
-        fresh = iter(mended(scene).constraints)
+        fresh = iter(mended(grounded).constraints)
 
         def kept(asked: Constraint) -> Constraint:
             new, old = next(fresh), known.get(id(asked))

@@ -29,6 +29,12 @@ Clean = Annotated[
     float | None,
     typer.Option(metavar="HZ", help="Clean the input first: outliers out, low-pass; 0 is off."),
 ]
+Ground = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--ground", metavar="PRIMS", help="Put the input on these prims first; may be repeated."
+    ),
+]
 Composed = Annotated[
     Path | None, typer.Option(metavar="FILE", help="Write a stage that shows the answer.")
 ]

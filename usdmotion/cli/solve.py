@@ -4,13 +4,14 @@ from typing import Annotated
 
 import typer
 
-from usdmotion.arguments import cutoff_of, frames_of, options_of
+from usdmotion.arguments import cutoff_of, frames_of, names_of, options_of
 from usdmotion.cli.application import app
 from usdmotion.cli.flags import (
     Clean,
     Composed,
     Edits,
     Frames,
+    Ground,
     Json,
     MendRecruiting,
     Options,
@@ -34,6 +35,7 @@ def solve(
     option: Options = None,
     frames: Frames = None,
     clean: Clean = None,
+    ground: Ground = None,
     compose: Composed = None,
     mend_recruiting: MendRecruiting = False,
     report: Page = None,
@@ -56,6 +58,7 @@ def solve(
             options=options_of(option),
             frames=frames_of(frames),
             cleaning=cutoff_of(clean),
+            ground=names_of(ground) or None,
             compose=compose,
             mend_recruiting=mend_recruiting,
             page=report,

@@ -10,6 +10,7 @@ from rich.text import Text
 from usdmotion.arrays import Floats
 from usdmotion.cleaning import Cleaning
 from usdmotion.constraints import Constraint
+from usdmotion.grounding import Grounding
 from usdmotion.measuring import measure, tolerance
 from usdmotion.report.wording import kind_of
 from usdmotion.scene import Scene
@@ -52,6 +53,8 @@ class EditReport:
     constraints: tuple[ConstraintReport, ...]
     cleaning: Cleaning | None = None
     """What was done to its input first; None where it was taken as it is."""
+    ground: Grounding | None = None
+    """What was done to put it on its ground after that; None where it has none."""
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """Ground adaptation: a motion stands on its footprints, and on the ground (2005, section 7)."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,6 +32,11 @@ class Standing:
     motion: Motion
     heights: Heights
     """How high the root is, and how high it might be."""
+    sloped: Mapping[str, Floats]
+    """By what each foot is turned to lie on the ground, in the world, by its side, xyzw, shape
+    (frame_count, 4) each."""
+    rises: Mapping[str, Floats]
+    """How far each is moved along the up axis [m], by its side, shape (frame_count,) each."""
     made_on: float
     """Height of the ground that the motion was made on, along the up axis [m]."""
     groundless: tuple[Footprint, ...] = ()
@@ -96,7 +101,14 @@ def stand(
     for leg, turn, foot in zip(legs, turns, feet, strict=True):
         _bend(local.rotations, pose, morphology, leg, turn, foot)
     groundless = tuple(each for tread in treads for each in tread.groundless)
-    return Standing(Motion(motion.times, *local), heights, level.height, groundless)
+    return Standing(
+        Motion(motion.times, *local),
+        heights,
+        {leg.side: tread.sloped for leg, tread in zip(legs, treads, strict=True)},
+        {leg.side: tread.drawn @ up for leg, tread in zip(legs, treads, strict=True)},
+        level.height,
+        groundless,
+    )
 
 
 def _reaching(pose: Pose, leg: Leg, foot: Foot, shift: Floats) -> tuple[Floats, Floats]:

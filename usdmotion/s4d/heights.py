@@ -20,8 +20,10 @@ class Heights:
 
     original: Floats
     """In the motion as it was."""
+    wished: Floats
+    """That, and how much higher the feet stand now."""
     carried: Floats
-    """h1: that, and how much higher the feet stand now."""
+    """h1: that, lower for a moment before and after legs do not reach it."""
     left: Floats
     """h2: the highest at which the left leg reaches its ankle."""
     right: Floats
@@ -31,7 +33,7 @@ class Heights:
 
     def __post_init__(self) -> None:
         count = len(self.original)
-        for name in ("original", "carried", "left", "right", "root"):
+        for name in ("original", "wished", "carried", "left", "right", "root"):
             object.__setattr__(self, name, seal(getattr(self, name), count, name=name))
 
 
@@ -62,7 +64,9 @@ def heights_of(
         room = np.sqrt(np.maximum(leg.reach(pose) ** 2 - aside**2, 0.0))
         highest.append(original + (ankle - hip) @ up + room)
     left, right = highest
-    h1 = original + carried @ up
+    wished = original + carried @ up
     # What legs will soon not let it do, or have just not let it do, it does not quite do either.
-    h1 = h1 - covering(np.maximum(h1 - np.minimum(left, right), 0.0), times, _GENTLY)
-    return Heights(original, h1, left, right, np.minimum(h1, np.minimum(left, right)))
+    short = np.maximum(wished - np.minimum(left, right), 0.0)
+    h1 = wished - covering(short, times, _GENTLY)
+    root = np.minimum(h1, np.minimum(left, right))
+    return Heights(original, wished, h1, left, right, root)

@@ -14,7 +14,7 @@ _SAMPLES = 7
 _GIVES = 0.01
 """How far the ground may stand into the middle of a sole [m]: flesh and shoes give way."""
 _MOST = 0.7
-"""A sole that is over an edge lies on what is higher unless so much of it is over the lower side."""
+"""Over an edge a sole lies on the higher side, unless so much of it is over the lower one."""
 _HALF_WIDTH = 0.035
 """Half the width of a sole [m]."""
 _STEEPEST = np.tan(np.radians(40.0))

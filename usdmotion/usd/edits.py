@@ -9,12 +9,12 @@ from usdmotion.arrays import Floats
 from usdmotion.errors import SceneError
 from usdmotion.usd.clips import own_times
 from usdmotion.usd.concerns import concerns
+from usdmotion.usd.grounds import ground_prims
 from usdmotion.usd.origins import depends_on, source_of
 from usdmotion.usd.relations import (
     bound_animation,
     floats,
     is_a,
-    names_target,
     skeleton_of,
     value,
 )
@@ -38,6 +38,8 @@ class Request:
     """When, were it solved alone."""
     cleaning: float = 0.0
     """Cutoff of the filter that cleans its input first [Hz]; 0 is none."""
+    ground: tuple[Usd.Prim, ...] = ()
+    """What its input is put on after that; none leaves it where it is."""
 
     @property
     def path(self) -> str:
@@ -74,6 +76,7 @@ def request(
     facts: Facts,
     *,
     cleaning: float | None = None,
+    ground: Sequence[str] | None = None,
 ) -> Request:
     """Return what an edit asks to be solved.
 
@@ -82,12 +85,12 @@ def request(
         frames: First and last time code, over what the edit says.
         facts: Rates and range of the stage.
         cleaning: Cutoff of the filter of its input [Hz], over what the edit says.
+        ground: Paths of the prims that it stands on, over what the edit says.
 
     Raises:
         SceneError: It cannot be solved as it is.
     """
     refuse(concerns(edit))
-    _refuse_later(edit)
     skeleton = skeleton_of(edit)
     refuse(concerns(skeleton))
     source = source_of(edit, skeleton)
@@ -99,7 +102,9 @@ def request(
         facts,
         f"<{edit.GetPath()}>",
     )
-    return Request(edit, skeleton, source, times, _cleaning(edit, cleaning))
+    return Request(
+        edit, skeleton, source, times, _cleaning(edit, cleaning), ground_prims(edit, ground)
+    )
 
 
 def refuse_rivals(requests: Sequence[Request]) -> None:
@@ -163,11 +168,3 @@ def _cleaning(edit: Usd.Prim, given: float | None) -> float:
             "hertz, such as 10, or to 0 for no cleaning"
         )
     return cutoff
-
-
-def _refuse_later(edit: Usd.Prim) -> None:
-    """Refuse what an edit may ask for and nothing does yet."""
-    if names_target(edit, "usdmotion:ground"):
-        raise SceneError(
-            f"<{edit.GetPath()}> sets usdmotion:ground, which this version cannot do; clear it"
-        )

@@ -9,6 +9,7 @@ from pxr import Usd
 
 from usdmotion.constraints import Constraint
 from usdmotion.errors import SceneError
+from usdmotion.grounding import PROGRAM
 from usdmotion.motion import Motion
 from usdmotion.outcome import Outcome, Record
 from usdmotion.scene import Edit, Scene
@@ -66,10 +67,12 @@ def outcomes_of(
             edits=[each.edit for each in group],
             frames=(frames[0], frames[1]) if len(frames) == 2 else None,
             cleaning=float(said["cleaning"]) if "cleaning" in said else None,
+            ground=_ground(said),
             kinds=kinds,
         )
         notes = tuple(str(note) for note in said.get("notes", ()))
-        outcomes += [_outcome(shot, scene, found, notes) for scene in shot.scenes]
+        told = PROGRAM in said.get("ground", ())
+        outcomes += [_outcome(shot, scene, found, notes, told=told) for scene in shot.scenes]
     return tuple(outcomes)
 
 
@@ -94,6 +97,12 @@ def _results(stage: Usd.Stage) -> Iterator[_Found]:
                 yield _Found(prim, edit, identifier, recorded(holder) if holder else {})
 
 
+def _ground(said: Mapping[str, Any]) -> list[str] | None:
+    """Return the paths of the ground that was asked for, over what the edits say."""
+    paths = said.get("ground")
+    return None if paths is None else [str(path) for path in paths if path != PROGRAM]
+
+
 def _hashes(said: Mapping[str, Any]) -> Mapping[str, str]:
     return dict(said.get("hashes", {}))
 
@@ -115,7 +124,7 @@ def _groups(found: Sequence[_Found]) -> list[list[_Found]]:
 
 
 def _outcome(
-    shot: Shot, scene: Scene, found: Mapping[str, _Found], notes: tuple[str, ...]
+    shot: Shot, scene: Scene, found: Mapping[str, _Found], notes: tuple[str, ...], *, told: bool
 ) -> Outcome:
     takes = {take.edit: take for take in shot.takes}
     return Outcome(
@@ -127,6 +136,7 @@ def _outcome(
             _record(shot, takes[edit.path], edit, found[edit.path]) for edit in scene.edits
         ),
         notes=notes,
+        told=told,
     )
 
 

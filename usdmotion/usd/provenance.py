@@ -46,8 +46,9 @@ def provenance(
 ) -> dict[str, object]:
     """Return what the layer says of itself.
 
-    It is version, solver, options and hashes of what was read; the frames and the cleaning of
-    the input, where others were asked for than the edits say; and the notes, where there are any.
+    It is version, solver, options and hashes of what was read; the frames, the cleaning of
+    the input and its ground, where others were asked for than the edits say; and the notes, where
+    there are any.
     """
     told: dict[str, object] = {
         "version": own_version(),
@@ -59,6 +60,8 @@ def provenance(
         told["frames"] = Vt.DoubleArray(shot.frames)
     if shot.cleaning is not None:
         told["cleaning"] = shot.cleaning
+    if shot.ground is not None:
+        told["ground"] = Vt.StringArray(list(shot.ground))
     if notes:
         told["notes"] = Vt.StringArray(list(notes))
     return told

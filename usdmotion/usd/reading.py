@@ -24,6 +24,7 @@ from usdmotion.usd.edits import (
     request,
     result_path,
 )
+from usdmotion.usd.grounds import read_ground
 from usdmotion.usd.relations import bound_animation, value
 from usdmotion.usd.shot import Facts, Shot, Take
 from usdmotion.usd.sources import folder_of, read_extras
@@ -36,6 +37,7 @@ def read(
     edits: Sequence[str] = (),
     frames: tuple[float, float] | None = None,
     cleaning: float | None = None,
+    ground: Sequence[str] | None = None,
     kinds: Sequence[type[Constraint]],
 ) -> Shot:
     """Return the scenes of a stage.
@@ -45,6 +47,7 @@ def read(
         edits: Paths of the MotionEdits that are wanted; none wants all.
         frames: First and last time code, over what the edits say.
         cleaning: Cutoff of the filter of the input [Hz], over what the edits say.
+        ground: Paths of the prims that the input is put on, over what the edits say.
         kinds: The constraint kinds that prims can be read as.
 
     Raises:
@@ -52,7 +55,9 @@ def read(
         SceneError: Something on the stage cannot be solved, or had to be guessed.
     """
     stage = open_stage(path)
-    return read_stage(stage, path, edits=edits, frames=frames, cleaning=cleaning, kinds=kinds)
+    return read_stage(
+        stage, path, edits=edits, frames=frames, cleaning=cleaning, ground=ground, kinds=kinds
+    )
 
 
 def read_stage(
@@ -62,6 +67,7 @@ def read_stage(
     edits: Sequence[str],
     frames: tuple[float, float] | None,
     cleaning: float | None,
+    ground: Sequence[str] | None = None,
     kinds: Sequence[type[Constraint]],
 ) -> Shot:
     """Return the scenes of a stage that is open, as `read` does; errors name the path."""
@@ -69,7 +75,8 @@ def read_stage(
         refuse(composition_faults(stage))
         facts = read_facts(stage)
         requests = [
-            request(edit, frames, facts, cleaning=cleaning) for edit in find_edits(stage, edits)
+            request(edit, frames, facts, cleaning=cleaning, ground=ground)
+            for edit in find_edits(stage, edits)
         ]
         refuse_rivals(requests)
         read_groups = [_read_group(group, kinds, facts) for group in couple(requests)]
@@ -84,6 +91,7 @@ def read_stage(
         warnings=warnings((each.edit for each in requests), _players(requests)),
         frames=frames,
         cleaning=cleaning,
+        ground=None if ground is None else tuple(ground),
     )
 
 
@@ -151,6 +159,7 @@ def _edit(
         options=options_of(each.edit),
         smoothing=max(float(value(each.edit, "usdmotion:smoothing", 0.0)), 0.0),
         cleaning=each.cleaning,
+        ground=read_ground(each.ground, time_codes, facts),
         passes=max(int(value(each.edit, "usdmotion:passes", 1)), 1),
     )
 

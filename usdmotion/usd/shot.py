@@ -112,6 +112,8 @@ class Shot:
     """First and last time code that were asked for, over what the edits say."""
     cleaning: float | None = None
     """Cutoff of the filter of the input that was asked for, over what the edits say [Hz]."""
+    ground: tuple[str, ...] | None = None
+    """Paths of the prims that the input is put on, over what the edits say."""
 
     def scene(self, edit: str) -> Scene:
         """Return the scene that an edit is in."""

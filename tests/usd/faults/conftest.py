@@ -155,6 +155,7 @@ CASES = [
     ("MissingTarget", point(EDIT, "usdmotion:ground", "/Nowhere")),
     ("WrongTarget", point(EDIT, "usdmotion:source", "/Prop")),
     ("WrongTarget", point(f"{EDIT}/Region", "usdmotion:region", "/Prop")),
+    ("WrongGround", point(EDIT, "usdmotion:ground", "/Body/Walk")),
     ("TooManyTargets", point(EDIT, "usdmotion:skeleton", SKELETON, "/Prop")),
     ("NoOtherEnd", put(f"{EDIT}/Distance", "usdmotion:otherJoint", "")),
     ("NoRegion", point(f"{EDIT}/Region", "usdmotion:region")),

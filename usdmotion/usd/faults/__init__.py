@@ -9,6 +9,7 @@ from pxr import Usd
 from usdmotion.usd.faults.arrays import find_wrong_arrays, find_wrong_body_arrays
 from usdmotion.usd.faults.detections import find_idle_detections
 from usdmotion.usd.faults.fault import Check, Fault, Severity
+from usdmotion.usd.faults.grounds import find_wrong_grounds
 from usdmotion.usd.faults.joints import (
     find_missing_effectors,
     find_unknown_joints,
@@ -66,6 +67,7 @@ CHECKS = (
     Check("Edit", EDIT, find_unsolvable_edits),
     Check("Range", EDIT, find_wrong_ranges),
     Check("Targets", OURS, find_wrong_targets),
+    Check("Ground", EDIT, find_wrong_grounds),
     Check("Effector", CONSTRAINT, find_missing_effectors),
     Check("JointTokens", CONSTRAINT + GOAL + DETECTION, find_unknown_joints),
     Check("KeyTimes", CONSTRAINT + GOAL, find_wrong_key_times),
