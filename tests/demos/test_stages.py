@@ -52,7 +52,8 @@ def test_a_stage_is_what_its_demo_writes(name, tmp_path):
 def test_a_stage_solves_and_only_what_has_to_gives_way(name, tmp_path):
     report = pipeline.solve(STAGES / f"{name}.usda", tmp_path / "edit.usda")
     # A leg that is stretched at what it cannot reach may still move a little at the limit.
-    assert report.notes == () or name in GIVES_WAY
+    notes = [note for note in report.notes if "starts from an input on the ground" not in note]
+    assert notes == [] or name in GIVES_WAY
     assert report.edits and all(edit.constraints for edit in report.edits)
     missed = {
         each.path.rsplit("/", 1)[-1]

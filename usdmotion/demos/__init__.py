@@ -27,6 +27,7 @@ NAMES = (
     "above_the_table",
     "two_hands",
     "wrist_and_elbow",
+    "terrain",
     "fight",
     "dice",
     "taps",

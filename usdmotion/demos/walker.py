@@ -1,6 +1,6 @@
 """The character of the demos: a walk on a stage, and the constraints that hold its feet."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -40,6 +40,8 @@ def write_walk(
     *,
     bodies: Mapping[str, Body] = MappingProxyType({}),
     props: Sequence[Region] = (),
+    scenery: Callable[[Any], None] = lambda _: None,
+    ground: Sequence[str] = (),
     solver: str = "",
     smoothing: float = 0.0,
     passes: int = 1,
@@ -54,6 +56,8 @@ def write_walk(
         variants: What is asked besides in each variant of the edit; the first is selected.
         bodies: What is said of the body in each variant of the Skeleton; the first is selected.
         props: What stands about.
+        scenery: Authors what else is on the stage.
+        ground: Paths of what the walker is put on; none leaves him where he is.
         solver: Name of the solver of the edit; "" is the default one.
         smoothing: Cutoff of the filter between two passes [Hz]; 0 is off.
         passes: How often the constraints are enforced.
@@ -65,7 +69,10 @@ def write_walk(
     ) as stage:
         _author_walker(stage, walk, codes)
         if edit:
-            usd.author_edit(stage, path, solver=solver, smoothing=smoothing, passes=passes)
+            usd.author_edit(
+                stage, path, solver=solver, smoothing=smoothing, passes=passes, ground=ground
+            )
+        scenery(stage)
         for prop in props:
             usd.author_region(stage, prop, time_codes=codes)
         _author(stage, path, constraints, codes)

@@ -92,7 +92,6 @@ class _Surface:
         heights, triangles = np.empty(len(points)), np.empty(len(points), dtype=np.int64)
         grid = self._corners, self._low, self._size, self._shape, self._starts, self._inside
         surface_under(*grid, points @ self._axes.T, step, heights, triangles)
-        normals = np.where(
-            triangles[:, None] < 0, self._axes[2], self._normals[np.maximum(triangles, 0)]
-        )
+        # One more, straight up, for −1.
+        normals = np.concatenate([self._normals, self._axes[2:]])[triangles]
         return heights, normals

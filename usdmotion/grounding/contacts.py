@@ -31,6 +31,12 @@ def is_footprint(constraint: Constraint, character: Character) -> TypeGuard[Cont
     )
 
 
+def holds(contact: ContactConstraint, character: Character) -> bool:
+    """Tell whether a contact holds on any frame of a motion."""
+    times = character.motion.times
+    return bool(Footprint("", *_span(contact, times), np.zeros(3)).during(times).any())
+
+
 def footprint_of(contact: ContactConstraint, character: Character, pose: Pose) -> Footprint:
     """Return the footprint that a contact of a foot is.
 

@@ -7,9 +7,9 @@ from usdmotion.ground import Ground
 
 _MARGIN = 0.015
 """Soles swing this high above the ground, if they did above the one the motion was made on [m]."""
-_AROUND = 0.07
+_AROUND = 0.05
 """How long before and after it is needed a foot is lifted [s]."""
-_ENDS = 0.08
+_ENDS = 0.04
 """Within how long after it leaves the ground, and before it comes down, the lift is eased [s]."""
 
 

@@ -39,7 +39,8 @@ class Footprint:
     def during(self, times: Floats) -> Bools:
         """Return on which frames it holds; between two frames it holds on the nearer one."""
         holds = (times >= self.start - _SLACK) & (times <= self.end + _SLACK)
-        if not holds.any() and len(times):
+        inside = len(times) > 0 and times[0] < self.start and self.end < times[-1]
+        if inside and not holds.any():
             holds[np.abs(times - 0.5 * (self.start + self.end)).argmin()] = True
         return np.asarray(holds, dtype=np.bool_)
 
@@ -87,6 +88,8 @@ def stances_of(footprints: Sequence[Footprint], side: str, times: Floats) -> tup
     stances = []
     for each in balls:
         held = each.during(times)
+        if not held.any():
+            continue
         with_it = [one for one in ankles if (one.during(times) & held).any()]
         taken |= {id(one) for one in with_it}
         frames = np.any([held, *(one.during(times) for one in with_it)], axis=0)

@@ -10,7 +10,7 @@ from usdmotion.s4d.clearance import covering
 from usdmotion.s4d.legs import Leg, Pose
 from usdmotion.s4d.turns import across
 
-_GENTLY = 0.06
+_GENTLY = 0.08
 """How long before and after legs are too short the root gives way [s]."""
 
 

@@ -21,7 +21,7 @@ STRAIGHT = 0.995
 
 _FOOT = 0.146
 """From ankle to ball over leg length, where a foot has no ball (as the demonstrations' body)."""
-_HEEL, _TOES = 0.5, 0.6
+_HEEL, _TOES = 0.55, 0.62
 """How far a heel is behind the ankle, and toes are before the ball, in lengths from ankle to ball
 (likewise)."""
 

@@ -36,6 +36,7 @@ def author_edit(
     sample_rate: float = 0.0,
     smoothing: float = 0.0,
     passes: int = 1,
+    ground: Sequence[str] = (),
     options: Mapping[str, bool | int | float | str] | None = None,
 ) -> None:
     """Author a MotionEdit, or change the one that is there.
@@ -50,12 +51,15 @@ def author_edit(
         sample_rate: Samples per second of the result; 0 is the source's own times.
         smoothing: Cutoff of the filter between two passes [Hz]; 0 is off.
         passes: How often the constraints are enforced; with smoothing at least twice.
+        ground: Paths of the prims that the input is put on; none leaves it where it is.
         options: Options of the solver.
     """
     prim = define(stage, path, "MotionEdit")
     for name, target in (("skeleton", skeleton), ("source", source)):
         if target:
             prim.CreateRelationship(f"usdmotion:{name}", custom=False).SetTargets([target])
+    if ground:
+        prim.CreateRelationship("usdmotion:ground", custom=False).SetTargets(list(ground))
     if solver:
         prim.GetAttribute("usdmotion:solver").Set(solver)
     if frames is not None:

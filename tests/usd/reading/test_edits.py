@@ -68,12 +68,6 @@ def test_a_cutoff_that_is_none_is_refused(text, save, read, cutoff):
         read(save(text.man(edit=text.edit(attributes=attribute))))
 
 
-def test_what_this_version_cannot_do_is_refused_by_name(text, save, read):
-    attribute = "rel usdmotion:ground = </Man>"
-    with pytest.raises(SceneError, match="</Man/Bones/Edit> sets usdmotion:ground, which this"):
-        read(save(text.man(edit=text.edit(attributes=attribute))))
-
-
 def test_solver_and_options_are_read_as_authored(text, save, read):
     attributes = """uniform token usdmotion:solver = "ccd"
     custom int usdmotion:option:iterations = 7
