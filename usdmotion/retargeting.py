@@ -215,7 +215,7 @@ def _notes(luggage: Luggage, target: Target, same: bool) -> tuple[str, ...]:
 
 def _solved(
     overlay: Overlay, put: _Put, placing: Placing, say: Say
-) -> tuple[Shot | None, list[SolvedScene], tuple[str, ...]]:
+) -> tuple[Shot | None, Sequence[SolvedScene], tuple[str, ...]]:
     """Return what came along as it was read, its scenes solved, and what should be known."""
     from usdmotion import usd
 
@@ -225,10 +225,9 @@ def _solved(
     read = usd.read_stage(
         overlay.stage, overlay.shot, edits=[put.edit], frames=None, cleaning=None, kinds=kinds
     )
-    scenes, cleanings = solved_scenes(read, placing.solver, placing.options, say=say)
-    told = (each.sentence(path) for path, each in cleanings.items())
-    notes = (note for each in scenes for note in each.notes)
-    return read, scenes, (*read.warnings, *told, *notes)
+    answers = solved_scenes(read, placing.solver, placing.options, say=say)
+    notes = (note for each in answers.scenes for note in each.notes)
+    return read, answers.scenes, (*read.warnings, *answers.notes, *notes)
 
 
 def _report(

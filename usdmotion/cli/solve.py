@@ -64,8 +64,7 @@ def solve(
             page=report,
             say=say,
         )
-    terminal.account(
-        told, *(f"wrote {path}" for path in (output, compose, report) if path), json=json
-    )
+    wrote = (f"wrote {path}" for path in (output, compose, report) if path)
+    terminal.account(told, *wrote, json=json)
     if strict and not told.met:
         raise typer.Exit(3)

@@ -105,7 +105,7 @@ def _author_meshes(stage: Any) -> None:
     x, z = np.meshgrid(
         np.linspace(-_HALF_WIDTH, _HALF_WIDTH, counts[0]), np.linspace(*BUMPS, counts[1])
     )
-    points = np.round(np.stack([x, bumps(x, z), z], axis=-1), 4).reshape(-1, 3)
+    points: Floats = np.stack([x, bumps(x, z), z], axis=-1).reshape(-1, 3).round(4)
     index = np.arange(len(points)).reshape(x.shape)
     corners = (index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:])
     quads = np.stack([each.ravel() for each in corners], axis=1)

@@ -60,7 +60,12 @@ def footprint_of(contact: ContactConstraint, character: Character, pose: Pose) -
 
 
 def on_ground(
-    contact: ContactConstraint, character: Character, before: Pose, after: Pose, standing: Standing
+    contact: ContactConstraint,
+    character: Character,
+    before: Pose,
+    after: Pose,
+    standing: Standing,
+    up: Floats,
 ) -> ContactConstraint:
     """Return a contact of a foot with the ground as its space.
 
@@ -72,16 +77,18 @@ def on_ground(
         before: Where its joints were in the world.
         after: Where they are on the ground.
         standing: How they came there.
+        up: The direction away from the ground, shape (3,).
     """
     footprint = footprint_of(contact, character, before)
     times, space = character.motion.times, contact.space
     frames = np.flatnonzero(footprint.during(times))
     joint = character.skeleton.index[contact.joint]
-    places, turns = after.positions[frames, joint], standing.sloped[footprint.part[0]][frames]
+    tread = standing.treads[footprint.part[0]]
+    places, turns = after.positions[frames, joint], tread.sloped[frames]
     if footprint.part[2:] == ANKLE and footprint.rotation is not None:
         # It lies on the ground as far as the ankle can be bent.
         turns = multiply(after.rotations[frames, joint], conjugate(footprint.rotation))
-    if np.ptp(standing.rises[footprint.part[0]][frames]) < _STILL:
+    if np.ptp(tread.drawn[frames] @ up) < _STILL:
         places, turns = places.mean(axis=0), _mean(turns)
     else:
         nearest = np.clip(np.arange(len(times)), frames[0], frames[-1]) - frames[0]

@@ -69,7 +69,9 @@ def grounded(scene: Scene, detect: Detect) -> Grounded:
         standing = _standing(edit, given, footprints, scene)
         there = replace(given, motion=standing.motion)
         after = _pose(there)
-        contacts |= {each.path: on_ground(each, given, before, after, standing) for each in feet}
+        contacts |= {
+            each.path: on_ground(each, given, before, after, standing, scene.up) for each in feet
+        }
         characters[given.path] = there
         accounts[edit.path] = _account(footprints, not feet, standing, scene)
     if not accounts:
@@ -95,7 +97,8 @@ def _account(
 ) -> Grounding:
     heights = standing.heights
     low = heights.wished - heights.root
-    frame, rises = int(low.argmax()), np.concatenate(list(standing.rises.values()))
+    frame = int(low.argmax())
+    rises = np.array([tread.drawn @ scene.up for tread in standing.treads.values()])
     gives = float(low[frame])
     return Grounding(
         footprints=len(footprints),

@@ -30,7 +30,7 @@ def held_back(
     leg: Leg,
     pose: Pose,
     skeleton: Skeleton,
-    body: Body,
+    body: Body | None,
     shank: Floats,
     foot: Foot,
     up: Floats,
@@ -45,13 +45,12 @@ def held_back(
         leg: Which.
         pose: The motion as it was.
         skeleton: Its joints.
-        body: Their limits.
+        body: Their limits; None is none.
         shank: By what the shank is turned in the world, xyzw, shape (frame_count, 4).
         foot: Where the foot is to be.
         up: The direction away from the ground, shape (3,).
     """
-    limits = np.abs([body.limits_min[leg.ankle], body.limits_max[leg.ankle]])
-    if limits.min() < 180.0:
+    if body is not None and _is_limited(body, leg.ankle):
         turn = _as_authored(leg, pose, skeleton, body, shank, foot.turn)
     else:
         turn = _as_people(leg, pose, shank, foot.turn)
@@ -59,6 +58,10 @@ def held_back(
     about_ball = foot.ankle + rotate(foot.turn, ball) - rotate(turn, ball)
     rises = (about_ball - foot.ankle) @ up > 0.0
     return Foot(np.where(rises[:, None], about_ball, foot.ankle), turn, foot.toes)
+
+
+def _is_limited(body: Body, joint: int) -> bool:
+    return bool(np.abs([body.limits_min[joint], body.limits_max[joint]]).min() < 180.0)
 
 
 def _as_people(leg: Leg, pose: Pose, shank: Floats, turn: Floats) -> Floats:

@@ -32,15 +32,15 @@ class Standing:
     motion: Motion
     heights: Heights
     """How high the root is, and how high it might be."""
-    sloped: Mapping[str, Floats]
-    """By what each foot is turned to lie on the ground, in the world, by its side, xyzw, shape
-    (frame_count, 4) each."""
-    rises: Mapping[str, Floats]
-    """How far each is moved along the up axis [m], by its side, shape (frame_count,) each."""
+    treads: Mapping[str, Tread]
+    """The way of each foot over the ground, by its side, "l" or "r"."""
     made_on: float
     """Height of the ground that the motion was made on, along the up axis [m]."""
-    groundless: tuple[Footprint, ...] = ()
-    """Those under which there is no ground; the motion stays as it was there."""
+
+    @property
+    def groundless(self) -> tuple[Footprint, ...]:
+        """The footprints under which there is no ground; the motion stays as it was there."""
+        return tuple(each for tread in self.treads.values() for each in tread.groundless)
 
 
 def stand(
@@ -85,7 +85,6 @@ def stand(
         _foot(pose, leg, tread, level, ground, motion.times, up)
         for leg, tread in zip(legs, treads, strict=True)
     ]
-    body = body or Body.unknown(len(morphology.skeleton.joints))
     carried = _carried(treads)
     for again in reversed(range(_ROUNDS)):
         ankles = [foot.ankle for foot in feet]
@@ -93,21 +92,16 @@ def stand(
         shift = across(carried, up) + (heights.root - heights.original)[:, None] * up
         turns = [_reaching(pose, leg, foot, shift) for leg, foot in zip(legs, feet, strict=True)]
         if again:
+            limited = zip(legs, turns, feet, strict=True)
             feet = [
                 held_back(leg, pose, morphology.skeleton, body, shank, foot, up)
-                for leg, (_, shank), foot in zip(legs, turns, feet, strict=True)
+                for leg, (_, shank), foot in limited
             ]
     local = _carried_along(motion, pose, placement, morphology, shift)
     for leg, turn, foot in zip(legs, turns, feet, strict=True):
         _bend(local.rotations, pose, morphology, leg, turn, foot)
-    groundless = tuple(each for tread in treads for each in tread.groundless)
     return Standing(
-        Motion(motion.times, *local),
-        heights,
-        {leg.side: tread.sloped for leg, tread in zip(legs, treads, strict=True)},
-        {leg.side: tread.drawn @ up for leg, tread in zip(legs, treads, strict=True)},
-        level.height,
-        groundless,
+        Motion(motion.times, *local), heights, dict(zip("lr", treads, strict=True)), level.height
     )
 
 
