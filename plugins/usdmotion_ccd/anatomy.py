@@ -173,16 +173,16 @@ def _group_by_shape(cast: Cast, groups: Ints, first: int, last: int) -> list[Lim
             groups[node] = groups[parent]
             continue
         groups[node] = Group.LEGS if parent == root else Group.ARMS
-        limbs += _limb_of(cast, branches, lengths, node)
+        limbs += _limb_of(cast, range(first, last), lengths, node)
     return limbs
 
 
-def _limb_of(cast: Cast, branches: dict[int, list[int]], lengths: Floats, top: int) -> list[Limb]:
+def _limb_of(cast: Cast, nodes: range, lengths: Floats, top: int) -> list[Limb]:
     """Return the two longest neighbouring segments of a branch, if they are alike."""
     chain = [top]
     children: dict[int, list[int]] = {}
-    for node, parent in enumerate(cast.parents.tolist()):
-        children.setdefault(parent, []).append(node)
+    for node in nodes:
+        children.setdefault(int(cast.parents[node]), []).append(node)
     while len(children.get(chain[-1], [])) == 1:
         chain.append(children[chain[-1]][0])
     best, found = 0.0, []
@@ -190,4 +190,4 @@ def _limb_of(cast: Cast, branches: dict[int, list[int]], lengths: Floats, top: i
         short, long = sorted((lengths[middle], lengths[end]))
         if short > max(best, ALIKE * long):
             best, found = short, [(node, middle, end)]
-    return [Limb(*nodes, _hinge(cast, *nodes, np.zeros(3))) for nodes in found]
+    return [Limb(*each, _hinge(cast, *each, np.zeros(3))) for each in found]

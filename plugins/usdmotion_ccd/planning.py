@@ -1,6 +1,6 @@
 """What each rank of each character may do to a pose, and in which order it is tried."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -45,6 +45,7 @@ class Planner:
         self.body = anatomy(problem.cast)
         self.seen = [seen_nodes(self.table, task) for task in range(len(self.table.kind))]
         self.limbs = {limb.node: limb for limb in self.body.limbs}
+        self._bends: dict[int, bool] = {}
 
     def carries(self, node: int, task: int) -> bool:
         """Tell whether a turn of a node changes what a task measures."""
@@ -119,6 +120,21 @@ class Planner:
         shares = np.abs(self.table.term_coefficient[0, start:end])
         carried = [self.is_below(node, int(at)) for at in self.table.term_node[start:end]]
         return bool(shares[carried].sum() >= TRIFLE)
+
+    def bends(self, task: int) -> bool:
+        """Tell whether any limb is bent for a task."""
+        if task not in self._bends:
+            first, last = self.table.first_term[task : task + 2]
+            above = {each for at in self.table.term_node[first:last] for each in self.above(at)}
+            limbs = (self.limbs[node] for node in above if node in self.limbs)
+            self._bends[task] = any(self.is_bent_for(limb, task) for limb in limbs)
+        return self._bends[task]
+
+    def above(self, node: int) -> Iterator[int]:
+        """Yield a node and all that carry it."""
+        while node >= 0:
+            yield int(node)
+            node = int(self.cast.parents[node])
 
     def is_bent_for(self, limb: Limb, task: int) -> bool:
         """Tell whether a task is about one point that goes with the second segment of a limb."""
@@ -222,8 +238,7 @@ def _repairs(move: Move, planner: Planner, task: int) -> bool:
         return True
     if move.kind == TURN:
         return False
-    bent = any(planner.is_bent_for(limb, task) for limb in planner.limbs.values())
-    return not bent
+    return not planner.bends(task)
 
 
 def _columns(
