@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from usdmotion.demos.acrobatics import crawl, handstand
 from usdmotion.demos.performances import carry, reach, talk
 from usdmotion.kernels import forward
 
@@ -49,3 +50,28 @@ def test_soles_stay_flat_on_the_ground(acted):
             sole = places[:, joint] + Rotation.from_quat(turns[:, joint]).apply(np.array(point))
             assert np.ptp(sole, axis=0).max() < 1e-6
             assert np.abs(sole[:, 1]).max() < 1e-3
+
+
+def test_a_crawl_is_on_knees_and_hands():
+    crawling = crawl()
+    motion = crawling.motion
+    places, _ = forward(crawling.skeleton.parents, motion.translations, motion.rotations)
+    for name, height in (("Hand", 0.034), ("Leg", 0.05)):
+        for side in ("Left", "Right"):
+            heights = places[:, crawling.joint(f"{side}{name}"), 1]
+            assert np.abs(heights - height).max() < 0.01
+    knees = [places[:, crawling.joint(f"{side}Leg"), 2] for side in ("Left", "Right")]
+    still = [np.abs(np.diff(knee)) < 1e-9 for knee in knees]
+    assert np.mean(still[0] | still[1]) > 0.9
+    assert places[-1, 0, 2] - places[0, 0, 2] > 0.8
+
+
+def test_a_handstand_stands_on_hands_and_on_feet():
+    acting = handstand()
+    motion = acting.motion
+    places, _ = forward(acting.skeleton.parents, motion.translations, motion.rotations)
+    for stance in acting.stances:
+        during = (motion.times >= stance.start) & (motion.times <= stance.end)
+        held = places[during, acting.skeleton.index[stance.joint]]
+        assert np.ptp(held, axis=0).max() < 1e-6
+    assert places[60, acting.joint("Head"), 1] < places[60, acting.joint("Hips"), 1] - 0.3

@@ -33,6 +33,8 @@ NAMES = (
     "taps",
     "skating",
     "growing",
+    "dance_company",
+    "handstand",
 )
 """Every demo, in the order in which they explain themselves."""
 

@@ -88,7 +88,11 @@ def _author(stage: Any, root: str, member: Member) -> None:
 
 
 def held(
-    acted: Walk, skeleton: str, spans: Iterable[tuple[str, float, float]]
+    acted: Walk,
+    skeleton: str,
+    spans: Iterable[tuple[str, float, float]],
+    *,
+    ease: float = 0.0,
 ) -> list[ContactConstraint]:
     """Return the contacts of joints that stand, each where and as it is meanwhile on average.
 
@@ -96,6 +100,7 @@ def held(
         acted: Who moves.
         skeleton: Path of the Skeleton.
         spans: Name of a joint, first and last moment [s].
+        ease: How long they take to come and to go [s].
     """
     motion = acted.motion
     positions, orientations = forward(acted.skeleton.parents, motion.translations, motion.rotations)
@@ -105,12 +110,14 @@ def held(
         if inside.sum() < 2:
             continue
         joint, times = acted.joint(name), motion.times[inside]
+        first, last = float(times[0]), float(times[-1])
+        keys = (max(first - ease, 0.0), first, last, min(last + ease, float(motion.times[-1])))
         found.append(
             ContactConstraint(
                 path=f"{name}{len(found) + 1:02d}",
                 skeleton=skeleton,
                 joint=acted.skeleton.joints[joint],
-                times=(float(times[0]), float(times[-1])),
+                times=keys if ease else (first, last),
                 location=_mean(positions[inside, joint]),
                 orientation=orientations[inside, joint][0],
             )

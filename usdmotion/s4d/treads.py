@@ -17,6 +17,8 @@ _SAME = 0.04
 """A sole this near to the ground that a motion was made on stood on it [m]."""
 _UNSURE = 0.03
 """Rest poses tell where soles are no better than this [m]."""
+_SETTLES = 0.3
+"""How long a foot takes after its last stance to swing as it stood in the middle of it [s]."""
 _NONE = np.array((0.0, 0.0, 0.0, 1.0))
 
 
@@ -214,5 +216,23 @@ def _tread(turns: Floats, laid: Sequence[_Laid], below: Floats, times: Floats) -
         drawn, sloped, off = (between(times, stands, each) for each in (drawn, sloped, off))
     if said.any():
         turned = between(times, said, turned)
+    drawn = _settled(drawn, laid, times)
     groundless = tuple(each.stance.footprint for each in laid if not each.found)
     return Tread(stands, drawn, turned, sloped, below + off, groundless)
+
+
+def _settled(drawn: Floats, laid: Sequence[_Laid], times: Floats) -> Floats:
+    """Return how a foot is moved, with what only its last instants asked for left behind.
+
+    Before its first stance and after its last one a foot goes on as it stood there in the middle: a
+    foot that is small for its leg rolls off nearer to the ground than it swings.
+    """
+    settled = np.array(drawn)
+    for each, back in ((laid[0], True), (laid[-1], False)) if laid else ():
+        frames = np.flatnonzero(each.stance.frames)
+        edge = frames[0] if back else frames[-1]
+        beyond = slice(None, edge) if back else slice(edge + 1, None)
+        s = np.clip(np.abs(times[beyond] - times[edge]) / _SETTLES, 0.0, 1.0)
+        s = (s * s * (3.0 - 2.0 * s))[:, None]
+        settled[beyond] = drawn[edge] + s * (np.median(each.drawn, axis=0) - drawn[edge])
+    return settled

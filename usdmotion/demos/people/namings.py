@@ -1,4 +1,7 @@
-"""What joints are called: the same joints in the words of several tools, and in no words at all."""
+"""What joints are called in the words of several tools, and in no words at all.
+
+As USD has them: what is no letter, digit or underscore cannot be in the path of a joint.
+"""
 
 import re
 from collections.abc import Sequence
@@ -52,7 +55,7 @@ def renamed(segments: Sequence[Segment], naming: str) -> list[Segment]:
 def _called(segment: Segment, index: int, naming: str) -> str:
     """Return what a joint is called."""
     if naming == "mixamorig":
-        return f"mixamorig:{segment.name}"
+        return f"mixamorig_{segment.name}"
     if naming == "h_anim":
         return segment.part or segment.name
     if naming == "numbers":
@@ -61,20 +64,20 @@ def _called(segment: Segment, index: int, naming: str) -> str:
     assert taken is not None
     side, word, number = taken[1] or "", taken[2], taken[3]
     if naming == "blender":
-        dotted = f".{int(number):03d}" if number else ""
-        return _worded(word, _BLENDER, ".") + dotted + (f".{side[0]}" if side else "")
+        counted = f"_{int(number):03d}" if number else ""
+        return _worded(word, _BLENDER) + counted + (f"_{side[0]}" if side else "")
     if naming == "unreal":
         counted = (
             f"_{int(number or 0) + (word == 'Spine'):02d}" if number or word == "Spine" else ""
         )
-        return _worded(word, _UNREAL, "_") + counted + (f"_{side[0].lower()}" if side else "")
+        return _worded(word, _UNREAL) + counted + (f"_{side[0].lower()}" if side else "")
     return segment.name
 
 
-def _worded(word: str, words: dict[str, str], joiner: str) -> str:
+def _worded(word: str, words: dict[str, str]) -> str:
     """Return a word of ours in theirs: `HandThumb` is `thumb`, `ForeArmTwist` `forearm_twist`."""
     if word.startswith("Hand") and word != "Hand":
         return word.removeprefix("Hand").lower()
     if word.endswith("Twist"):
-        return f"{words[word.removesuffix('Twist')]}{joiner}twist"
+        return f"{words[word.removesuffix('Twist')]}_twist"
     return words.get(word, word.lower())
