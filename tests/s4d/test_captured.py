@@ -9,14 +9,18 @@ from pxr import Usd, UsdSkel
 from usdmotion_bvh import BvhReader
 
 from usdmotion.arrays import Floats
+from usdmotion.cast import Character
 from usdmotion.errors import SceneError
 from usdmotion.humanoid import guess
 from usdmotion.kernels import conjugate, forward, multiply, to_vector
-from usdmotion.motion import Motion, Placement, Skeleton
+from usdmotion.motion import Motion, Placement
 from usdmotion.s4d import Morphology, NormalizedMotion, normalize, restore
-from usdmotion.usd.skeletons import read_joints
+from usdmotion.usd.characters import read_character
+from usdmotion.usd.clips import own_times
+from usdmotion.usd.relations import bound_animation
+from usdmotion.usd.stages import read_facts
 
-from .conftest import steps
+from .conftest import apart, steps
 
 UP = {"Y": np.array((0.0, 1.0, 0.0)), "Z": np.array((0.0, 0.0, 1.0))}
 BODIES = {
@@ -61,13 +65,16 @@ def bodies(mocap: Path, captured: Mapping[str, Captured]) -> Mapping[str, Morpho
 
 
 def of_usd(path: Path) -> Morphology:
+    character, _ = read_usd(path)
+    return Morphology.of(character.skeleton, guess(character.skeleton))
+
+
+def read_usd(path: Path) -> tuple[Character, Floats]:
+    """Return the only character of a stage, and which way is up."""
     stage = Usd.Stage.Open(str(path))
     (prim,) = (prim for prim in stage.Traverse() if prim.IsA(UsdSkel.Skeleton))
-    joints = read_joints(prim)
-    assert joints.rest is not None
-    rest = joints.rest.translations, joints.rest.rotations
-    skeleton = Skeleton(joints.tokens, joints.parents, *rest)
-    return Morphology.of(skeleton, guess(skeleton))
+    animation, facts = bound_animation(prim), read_facts(stage)
+    return read_character(prim, animation, own_times(animation), facts).character, facts.up
 
 
 def turned(body: Morphology, motion: Motion, up: Floats, part: str) -> Floats:
@@ -97,6 +104,18 @@ def test_every_body_does_what_was_captured(
             )
             assert np.linalg.norm(to_vector(multiply(conjugate(own), other)), axis=-1).max() < 1e-5
         assert steps(motion.rotations).max() < 1.3 * fastest, name
+
+
+@pytest.mark.parametrize("name", ["CesiumMan.usdz", "RiggedFigure.usdz", "skeleton_66.usda"])
+def test_characters_of_other_people_come_back(mocap: Path, name: str) -> None:
+    """Under turned Xforms, with translations that are not those of the rest pose."""
+    character, up = read_usd(mocap / "usd" / name)
+    body = Morphology.of(character.skeleton, guess(character.skeleton))
+    normalized = normalize(character.motion, character.placement, body, up=up)
+    back = restore(normalized, body, character.placement, up=up)
+    metres, degrees = apart(character.skeleton, character.motion, back)
+    assert metres <= 1e-4
+    assert degrees <= 0.1
 
 
 def test_knees_bend_to_the_front_and_elbows_to_the_back(

@@ -198,3 +198,45 @@ def test_names_of_parts_say_what_is_missing(body: Morphology) -> None:
     flat, _ = rowed(body)
     with pytest.raises(SceneError, match="no posture of a body at rest"):
         Morphology.of(flat, body.parts)
+
+
+def test_a_motion_that_is_not_whole_is_refused(body: Morphology) -> None:
+    whole = taken(moving(body), body)
+    armless = replace(
+        whole,
+        limbs=whole.limbs[1:],
+        limb_frames=whole.limb_frames[:, 1:],
+        limb_lengths=whole.limb_lengths[:, 1:],
+        limb_twists=whole.limb_twists[:, 1:],
+    )
+    with pytest.raises(SceneError, match="no l_shoulder; normalize it again"):
+        put(armless, body)
+    with pytest.raises(SceneError, match="4 points of the spine for 3 vertebrae"):
+        put(replace(whole, spine=whole.spine[:, 1:]), body)
+    on_his_head = {"carriers": ("skullbase",), "carrier_shares": np.ones((61, 1))}
+    with pytest.raises(SceneError, match="'skullbase' carries nobody; name some of l_talocrural"):
+        put(replace(whole, **on_his_head), body)
+
+
+def test_what_does_not_hang_on_the_pelvis_is_refused(body: Morphology) -> None:
+    swapped = list(body.parts.parts)
+    root, chest = body.joint("humanoid_root"), body.joint("vt6")
+    swapped[root], swapped[chest] = swapped[chest], swapped[root]
+    with pytest.raises(SceneError, match="not below its humanoid_root"):
+        Morphology.of(body.skeleton, PartMap(tuple(swapped)))
+
+
+def test_joints_of_the_same_name_move_alike_on_a_body_that_is_built_otherwise(
+    body: Morphology,
+) -> None:
+    """A joint that slides does so under another parent; one that is only elsewhere stays."""
+    motion, shape = moving(body), body.skeleton
+    moved = np.array(motion.translations)
+    moved[:, body.joint("l_shoulder"), 1] += 0.02 * np.sin(motion.times)
+    moved[:, body.joint("r_shoulder"), 1] += 0.02
+    below = tuple(f"Rig/{token}" for token in shape.joints)
+    other = Morphology.of(replace(shape, joints=below), body.parts)
+    copied = put(taken(Motion(motion.times, moved, motion.rotations), body), other)
+    away = copied.translations - shape.rest_translations
+    assert np.ptp(away[:, body.joint("l_shoulder"), 1]) > 0.015
+    assert np.abs(away[:, body.joint("r_shoulder")]).max() < 1e-9

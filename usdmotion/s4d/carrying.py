@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from usdmotion.arrays import Bools, Floats
+from usdmotion.errors import SceneError
 from usdmotion.s4d.measures import Measures
 
 Held = tuple[str, float, float]
@@ -115,9 +116,15 @@ def heights_of(
 
     Returns:
         Heights and lengths [m], each of shape (F or N,).
+
+    Raises:
+        SceneError: A name is of no joint that carries.
     """
     if not carriers:
         return measures.ankle_height, measures.leg
+    for part in carriers:
+        if part not in _EVERY:
+            raise SceneError(f"'{part}' carries nobody; name some of {', '.join(_EVERY)}")
     each = [_carrier(measures, part) for part in carriers]
     heights, lengths = (np.stack(side, axis=1) for side in zip(*each, strict=True))
     return (shares * heights).sum(axis=1), (shares * lengths).sum(axis=1)

@@ -11,6 +11,7 @@ from usdmotion.motion import between_samples
 from usdmotion.s4d.conforming import conformed
 from usdmotion.s4d.normalized import NormalizedMotion
 from usdmotion.s4d.places import ENDS, TOPS
+from usdmotion.s4d.postures import require_whole
 from usdmotion.s4d.steadiness import Steady
 
 _WHOLE = 1e-6
@@ -25,7 +26,7 @@ def blend(motions: Sequence[NormalizedMotion], shares: Floats) -> NormalizedMoti
         shares: How much each counts, adding up to 1, shape (F, motion_count).
 
     Raises:
-        SceneError: They are not at the same times, or the shares do not add up to 1.
+        SceneError: They are not at the same times or not whole, or the shares do not add up to 1.
     """
     shares = np.asarray(shares, dtype=np.float64)
     _refuse(motions, shares)
@@ -118,6 +119,8 @@ def _places_of_ends(motion: NormalizedMotion) -> list[int]:
 def _refuse(motions: Sequence[NormalizedMotion], shares: Floats) -> None:
     if not motions:
         raise SceneError("there is nothing to blend; name a motion")
+    for each in motions:
+        require_whole(each)
     first = motions[0]
     if any(not np.array_equal(each.times, first.times) for each in motions):
         raise SceneError("motions at different times cannot be blended; warp them to the same")

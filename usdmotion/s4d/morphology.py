@@ -12,7 +12,7 @@ from usdmotion.kernels import conjugate, forward, multiply
 from usdmotion.motion import Motion, Skeleton
 from usdmotion.s4d.anatomy import Rest, basis, rest_pose
 from usdmotion.s4d.measures import Measures
-from usdmotion.s4d.places import LIMBS
+from usdmotion.s4d.places import LIMBS, ROOT, TOPS
 from usdmotion.s4d.stance import Stance
 
 
@@ -183,6 +183,14 @@ def _refuse(skeleton: Skeleton, parts: PartMap, who: str) -> None:
             f"no joint of {who} can be told to be {', '.join(parts.missing)}; a motion is "
             "normalized on a whole human body; author usdmotion:parts on it"
         )
+    for top in (*TOPS, "skullbase"):
+        joint = parts.joint(top)
+        assert joint is not None
+        if parts.joint(ROOT) not in skeleton.chain(joint)[1:]:
+            raise SceneError(
+                f"{who} has its {top} '{skeleton.joints[joint]}' not below its {ROOT}; author "
+                "usdmotion:parts on it"
+            )
     for limb in LIMBS:
         joints = [parts.joint(part) for part in limb]
         for upper, lower, part in zip(joints[:-1], joints[1:], limb[1:], strict=True):

@@ -56,15 +56,12 @@ def _above(part: str) -> list[str]:
         return ["sacroiliac", ROOT]
     girdle = (ARM[0], "acromioclavicular", ARM[1])
     if own in girdle:
-        return [*(f"{side}_{each}" for each in reversed(girdle[: girdle.index(own)])), *_above_arm]
+        before = [f"{side}_{each}" for each in girdle[: girdle.index(own)]]
+        return [*reversed(before), *reversed(SPINE)]
     if part in ENDS:
         return [TOPS[ENDS.index(part)]]
     row = next((row for row in _ROWS if part in row), (part,))
-    before = list(reversed(row[: row.index(part)]))
-    return [*before, *_base(side, own)]
-
-
-_above_arm = tuple(reversed(SPINE))
+    return [*reversed(row[: row.index(part)]), *_base(side, own)]
 
 
 def _base(side: str, own: str) -> list[str]:

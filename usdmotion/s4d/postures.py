@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 import numpy as np
 
 from usdmotion.arrays import Floats
+from usdmotion.errors import SceneError
 from usdmotion.humanoid import NECK, PARTS, SPINE
 from usdmotion.kernels import conjugate, multiply
 from usdmotion.s4d.anatomy import basis
@@ -17,9 +18,14 @@ _HEAD = "skullbase"
 
 
 class Postures:
-    """The parts of the normalized skeleton, each turned as seen from the world, y up."""
+    """The parts of the normalized skeleton, each turned as seen from the world, y up.
+
+    Raises:
+        SceneError: Some that every body has are missing.
+    """
 
     def __init__(self, normalized: NormalizedMotion) -> None:
+        require_whole(normalized)
         self.normalized = normalized
         self.limbs: dict[str, Floats] = {}
         """Frame of each limb by its top, (F, 4)."""
@@ -140,6 +146,26 @@ def seen_from_carriers(
             above = turned[carrier(part, segments)]
         rotations.append(multiply(conjugate(above), turned[part]))
     return continuous(np.stack(frames, axis=1)), continuous(np.stack(rotations, axis=1))
+
+
+def require_whole(normalized: NormalizedMotion) -> None:
+    """Refuse a motion that lacks what every body has.
+
+    Raises:
+        SceneError: It names what is missing.
+    """
+    needed = [*TOPS, *ENDS, _HEAD]
+    missing = [part for part in needed if part not in (*normalized.limbs, *normalized.segments)]
+    vertebrae = [part for part in normalized.segments if part in SPINE]
+    if missing or not vertebrae:
+        raise SceneError(
+            f"a normalized motion has no {', '.join(missing or SPINE[:1])}; normalize it again"
+        )
+    if normalized.spine.shape[1] != len(vertebrae) + 2:
+        raise SceneError(
+            f"a normalized motion has {normalized.spine.shape[1]} points of the spine for "
+            f"{len(vertebrae)} vertebrae; it needs two more than these"
+        )
 
 
 def _phalanges(row: Sequence[str]) -> Sequence[str]:

@@ -31,6 +31,9 @@ def restore(
         placement: Where its skeleton's space is, at the times of the motion.
         up: The direction away from the ground in the world, shape (3,).
         translations: Of its joints at rest where it grows [m], shape (F, joint_count, 3).
+
+    Raises:
+        SceneError: The motion is not that of a whole body.
     """
     upright = swing(up / np.linalg.norm(up), Y)
     measures = morphology.measures if translations is None else morphology.measured(translations)
@@ -55,7 +58,11 @@ def _translations(
     rest = skeleton.rest_translations if growing is None else growing
     local = np.array(np.broadcast_to(rest, (frames, len(skeleton.joints), 3)))
     for joint, theirs in _matches(normalized.offset_joints, body):
-        away = rotate(body.frames_above[joint], normalized.offsets[:, theirs])
+        offsets = normalized.offsets[:, theirs]
+        if skeleton.joints[joint] != normalized.offset_joints[theirs]:
+            # What does not move is how the other body is built, and none of this one's business.
+            offsets = offsets - np.median(offsets, axis=0)
+        away = rotate(body.frames_above[joint], offsets)
         local[:, joint] += measures.leg[:, None] * away
     return local
 
