@@ -9,6 +9,7 @@ from pxr import Gf, Usd, UsdGeom, UsdSkel
 from usdmotion import demos, pipeline, usd
 from usdmotion.demos.body import Proportions
 from usdmotion.demos.people import person
+from usdmotion.errors import FileError, SceneError
 from usdmotion.motion import Motion
 
 SKELETON = "/Walker/Skeleton"
@@ -174,3 +175,102 @@ def steps_of(stood):
     """Return how far it is along the ground from each stance to the next."""
     flat = np.array([places.mean(axis=0) for places in stood])[:, [0, 2]]
     return np.linalg.norm(flat[1:] - flat[:-1], axis=-1)
+
+
+def test_a_wrist_reaches_as_many_legs_away_as_it_did(folder, body):
+    demos.build("reaching", folder)
+    target = body("reacher.usda", proportions=SHORT)
+    told = pipeline.retarget(folder / "reaching.usda", target, folder / "reached.usda")
+    (edit,) = told.edits
+    feet = {"LeftHeel", "LeftBall", "RightHeel", "RightBall"}
+    names = {each.path.rsplit("/", 1)[-1] for each in edit.constraints}
+    assert names == {*feet, "LeftWrist", "Balance"}
+    assert all(each.met for each in edit.constraints)
+    goals = [
+        goal_of(folder / "reaching.usda", f"{SKELETON}/Reaching/LeftWrist"),
+        goal_of(folder / "reached.usda", "/Body/Skeleton/Retargeted/LeftWrist"),
+    ]
+    np.testing.assert_allclose(goals[1] / told.leg, goals[0] / told.leg_before, atol=1e-6)
+
+
+def goal_of(path, constraint):
+    """Return where the goal of a constraint is in the world [m]."""
+    stage = Usd.Stage.Open(str(path))
+    (goal,) = stage.GetPrimAtPath(constraint).GetChildren()
+    world = UsdGeom.Xformable(goal).ComputeLocalToWorldTransform(Usd.TimeCode(1.0))
+    return np.array(world.ExtractTranslation()) * UsdGeom.GetStageMetersPerUnit(stage)
+
+
+def test_the_same_inputs_give_the_same_bytes_and_neither_is_written_to(folder, body):
+    source, target = folder / "walk.s4d.usda", body("plain.usda")
+    before = source.read_bytes(), target.read_bytes()
+    written = []
+    for name in ("once.usda", "twice.usda"):
+        pipeline.retarget(source, target, folder / name)
+        written.append((folder / name).read_text())
+    assert written[0] == written[1]
+    assert (source.read_bytes(), target.read_bytes()) == before
+
+
+def test_without_solving_the_edit_is_there_and_the_motion_stands_on_its_footprints(folder, body):
+    target, output = body("unsolved.usda", proportions=SHORT), folder / "unsolved.walk.usda"
+    told = pipeline.retarget(folder / "walk.s4d.usda", target, output, enforce=False)
+    assert told.edit and not told.edits
+    take = shown(output)
+    for each in contacts(output):
+        places = stances(take, each)
+        assert np.linalg.norm(places - places.mean(axis=0), axis=-1).max() < 2e-3
+
+
+def test_without_contacts_nothing_is_asked(folder, body):
+    told = pipeline.retarget(
+        folder / "skating.usda", body("free.usda"), folder / "free.walk.usda", contacts=False
+    )
+    assert not told.edit and not told.travellers
+
+
+@pytest.mark.parametrize("instanced", [False, True])
+def test_a_body_may_be_carried_about_and_be_an_instance(folder, body, instanced):
+    target = body("carried.usda", proportions=SHORT)
+    path = folder / f"carrying{instanced}.usda"
+    stage = Usd.Stage.CreateNew(str(path))
+    UsdGeom.SetStageUpAxis(stage, "Y")
+    UsdGeom.SetStageMetersPerUnit(stage, 0.01)
+    stage.SetTimeCodesPerSecond(24.0)
+    cart = UsdGeom.Xform.Define(stage, "/Cart")
+    move = cart.AddTranslateOp()
+    for code in (1.0, 73.0):
+        move.Set(Gf.Vec3d(code, 0.0, 5.0), code)
+    prim = stage.DefinePrim("/Cart/Body")
+    prim.GetReferences().AddReference(str(target))
+    prim.SetInstanceable(instanced)
+    stage.GetRootLayer().Save()
+    output = path.with_suffix(".walk.usda")
+    pipeline.retarget(folder / "walk.s4d.usda", path, output)
+    take = shown(output, "/Cart/Body/Skeleton")
+    held = contacts(output)
+    assert len(held) == 12
+    for each in held:
+        places = stances(take, each)
+        assert np.linalg.norm(places - places.mean(axis=0), axis=-1).max() < 2e-3
+
+
+def test_a_stage_with_several_bodies_wants_one_named(folder, body):
+    path = folder / "two.usda"
+    stage = Usd.Stage.CreateNew(str(path))
+    for name in ("A", "B"):
+        stage.DefinePrim(f"/{name}").GetReferences().AddReference(str(body("plain.usda")))
+    stage.GetRootLayer().Save()
+    source, output = folder / "walk.s4d.usda", folder / "two.walk.usda"
+    with pytest.raises(SceneError, match="/A/Skeleton, /B/Skeleton; name one with --skeleton"):
+        pipeline.retarget(source, path, output)
+    with pytest.raises(SceneError, match="</C> is no Skeleton"):
+        pipeline.retarget(source, path, output, skeleton="/C")
+    assert pipeline.retarget(source, path, output, skeleton="/B/Skeleton").skeleton == "/B/Skeleton"
+
+
+def test_neither_input_is_taken_for_the_output(folder, body):
+    source, target = folder / "walk.s4d.usda", body("plain.usda")
+    for output in (source, target):
+        with pytest.raises(FileError, match="no input is written to"):
+            pipeline.retarget(source, target, output)

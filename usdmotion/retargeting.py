@@ -178,7 +178,8 @@ def _put(overlay: Overlay, luggage: Luggage, placing: Placing) -> _Put:
     motion = _standing(luggage, target, there, facts.up, same)
     animation = normalized.author_animation(stage, target, motion)
     edit = normalized.edit_path(stage, target, "Retargeted")
-    placed, missing = normalized.place_travellers(stage, edit, target, animation, luggage, there)
+    asked = _asked(luggage, there)
+    placed, missing = normalized.place_travellers(stage, edit, target, animation, luggage, asked)
     return _Put(
         luggage,
         target,
@@ -201,6 +202,16 @@ def _standing(
     if same or not prints:
         return motion
     return stand(motion, character.placement, body, prints, up=up, body=character.body).motion
+
+
+def _asked(luggage: Luggage, there: Sequence[Traveller]) -> list[Traveller]:
+    """Return what is to be enforced: not what was found on a joint that the edit itself holds."""
+    held = {each.constraint.joint for each in there if each.name not in luggage.found}
+    return [
+        each
+        for each in there
+        if each.name not in luggage.found or each.constraint.joint not in held
+    ]
 
 
 def _notes(luggage: Luggage, target: Target, same: bool) -> tuple[str, ...]:

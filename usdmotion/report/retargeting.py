@@ -24,11 +24,12 @@ class SlideReport:
     part: str
     """H-Anim name of the joint."""
     contacts: int
-    worst_before: float
-    """Largest slide of a contact on the body that it was recorded on [m]."""
+    worst_before: float | None
+    """Largest slide of a contact on the body that it was recorded on [m]; None where that body is
+    not known, as of a file of normalized motions."""
     worst_after: float
     """The same on the other body."""
-    mean_before: float
+    mean_before: float | None
     """Mean of the slides of all contacts there [m]."""
     mean_after: float
 
@@ -137,11 +138,12 @@ def slides_of(
         contacts: The part that each holds, the contact before, the contact after.
     """
     found: dict[str, list[tuple[float, float]]] = {}
+    nowhere = float("nan")
     for part, was, now in contacts:
         when = now.plateau(after)
         if not when.any():
             continue
-        slid = 0.0
+        slid = nowhere
         if before is not None and was is not None:
             slid = slide_of(before, was, when, (before.positions, before.orientations))
         found.setdefault(part, []).append((slid, slide_of(after, now, when, solved)))
@@ -149,9 +151,14 @@ def slides_of(
 
 
 def _slide(part: str, pairs: np.ndarray) -> SlideReport:
-    worst, mean = pairs.max(axis=0), pairs.mean(axis=0)
+    (before, after), known = pairs.T, not np.isnan(pairs).any()
     return SlideReport(
-        part, len(pairs), float(worst[0]), float(worst[1]), float(mean[0]), float(mean[1])
+        part=part,
+        contacts=len(pairs),
+        worst_before=float(before.max()) if known else None,
+        worst_after=float(after.max()),
+        mean_before=float(before.mean()) if known else None,
+        mean_after=float(after.mean()),
     )
 
 
@@ -164,9 +171,8 @@ def _slides(slides: Sequence[SlideReport]) -> list[Table]:
         table.add_column(heading, justify="right")
     for each in slides:
         lengths = (each.worst_before, each.worst_after, each.mean_before, each.mean_after)
-        table.add_row(
-            each.part, str(each.contacts), *(f"{length * 1e3:.2f} mm" for length in lengths)
-        )
+        shown = ("" if length is None else f"{length * 1e3:.2f} mm" for length in lengths)
+        table.add_row(each.part, str(each.contacts), *shown)
     return [table]
 
 

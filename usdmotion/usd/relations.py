@@ -63,6 +63,11 @@ def edit_of(prim: Usd.Prim) -> Usd.Prim | None:
     return _nearest(prim, "UsdMotionEdit")
 
 
+def travels(prim: Usd.Prim) -> bool:
+    """Tell whether a prim is a normalized motion, or one of the constraints that travel with it."""
+    return _nearest(prim, "UsdMotionNormalized") is not None
+
+
 def skeleton_of(prim: Usd.Prim) -> Usd.Prim | None:
     """Return the Skeleton that an edit solves, or that a part of an edit is about."""
     named = target(prim, "usdmotion:skeleton")

@@ -13,6 +13,7 @@ from usdmotion.usd.relations import (
     skeleton_of,
     suggestion,
     target,
+    travels,
     value,
 )
 
@@ -39,6 +40,8 @@ HOLDS_A_JOINT = (
 
 def find_unknown_joints(prim: Usd.Prim) -> Iterator[Fault]:
     """Find joint tokens of edits, goals and detections that their Skeleton does not have."""
+    if travels(prim):
+        return  # its joints are parts of any body
     for name, relationship in TOKENS.items():
         written = value(prim, name, ())
         tokens = [written] if isinstance(written, str) else list(written)
@@ -68,6 +71,8 @@ def find_unknown_joints(prim: Usd.Prim) -> Iterator[Fault]:
 def find_missing_effectors(prim: Usd.Prim) -> Iterator[Fault]:
     """Find constraints that hold nothing, or that nothing solves."""
     has_object = names_target(prim, "usdmotion:object")
+    if travels(prim):
+        return
     if edit_of(prim) is None:
         # The contacts of a detection outside an edit are data, not constraints.
         if not is_a(prim.GetParent(), "UsdMotionDetection"):

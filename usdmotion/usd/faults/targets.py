@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pxr import Usd
 
 from usdmotion.usd.faults.fault import Fault, error
-from usdmotion.usd.relations import is_a
+from usdmotion.usd.relations import is_a, travels
 
 SHAPES = ("UsdGeomPlane", "UsdGeomCube", "UsdGeomSphere", "UsdGeomCylinder", "UsdGeomCapsule")
 ANY = ("",)
@@ -24,6 +24,8 @@ TARGETS = {
 
 def find_wrong_targets(prim: Usd.Prim) -> Iterator[Fault]:
     """Find relationships to prims that are not there, not of the right type, or too many."""
+    if travels(prim):
+        return  # what it names is on the stage that it comes from, or goes to
     for name, kinds in TARGETS.items():
         relationship = prim.GetRelationship(name)
         paths = relationship.GetForwardedTargets() if relationship else []

@@ -31,6 +31,8 @@ def gather(
 ) -> tuple[tuple[Traveller, ...], tuple[Left, ...]]:
     """Return the constraints of an edit, still on their body, and those that cannot leave it.
 
+    What is on at other times only has nothing to do with the motion, and is neither.
+
     Args:
         edit: The MotionEdit.
         skeleton: Path of the Skeleton that it solves.
@@ -50,6 +52,9 @@ def gather(
             left.append(Left(name, f"nothing installed here knows a {prim.GetTypeName()}"))
             continue
         constraint = read_constraint(prim, edit, skeleton, kinds, sittings, time_codes, facts)
+        span = constraint.span((time_codes - time_codes[0]) / facts.time_codes_per_second)
+        if span.start >= span.stop:
+            continue
         try:
             found.append(_traveller(name, prim, edit, constraint, time_codes, facts))
         except StaysBehind as why:

@@ -8,7 +8,9 @@ from pxr import Usd, UsdSkel
 from usdmotion.arrays import Floats
 from usdmotion.errors import SceneError
 from usdmotion.humanoid import guess
+from usdmotion.motion import Motion
 from usdmotion.s4d import Morphology
+from usdmotion.s4d.anatomy import Rest
 from usdmotion.usd.characters import Sitting, read_character
 from usdmotion.usd.clips import own_times
 from usdmotion.usd.concerns import concerns
@@ -18,7 +20,7 @@ from usdmotion.usd.origins import depends_on, source_of
 from usdmotion.usd.relations import bound_animation, edit_of, is_a, skeleton_of
 from usdmotion.usd.roots import parts_of
 from usdmotion.usd.shot import Facts
-from usdmotion.usd.stages import refuse
+from usdmotion.usd.stages import read_facts, refuse
 from usdmotion.usd.times import solved_times
 
 
@@ -110,7 +112,18 @@ def morphology_of(skeleton: Usd.Prim, sitting: Sitting) -> Morphology:
     shape, who = sitting.character.skeleton, f"<{skeleton.GetPath()}>"
     given = parts_of(skeleton, len(shape.joints))
     parts = sitting.character.parts or guess(shape, given=given, who=who)
-    return Morphology.of(shape, parts, who=who)
+    poses = None if Rest(shape, parts).stands else _poses(skeleton)
+    return Morphology.of(shape, parts, poses=poses, who=who)
+
+
+def _poses(skeleton: Usd.Prim) -> Motion | None:
+    """Return how a body moves on its stage, whoever asks and for whichever frames."""
+    animation = bound_animation(skeleton)
+    own = own_times(animation)
+    if animation is None or not len(own):
+        return None
+    facts = read_facts(skeleton.GetStage())
+    return read_character(skeleton, animation, own, facts).character.motion
 
 
 def bodies_of(
