@@ -8,16 +8,16 @@ Nothing here passes or fails. A figure is a ratio measured in one run, times are
 import os
 import sys
 import tempfile
-from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
 
 for _library in ("OPENBLAS", "MKL", "OMP"):
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
 
+import crowds  # noqa: E402
 import detecting  # noqa: E402
 import numpy as np  # noqa: E402
+from measuring import Figure, least, products  # noqa: E402
 from pxr import Sdf, Usd, Vt  # noqa: E402
 from reaching import (  # noqa: E402
     OUT_OF_REACH,
@@ -45,39 +45,6 @@ AIM_OF_AN_ITERATION = 10e-6 / 97e-3
 
 THE_WALK_OF_2006 = 34e-3
 """What the paper's walk took with one template on a Pentium 4 (2006, table 1) [s]."""
-
-
-@dataclass(frozen=True)
-class Figure:
-    """One line of the table."""
-
-    what: str
-    seconds: float
-    beside: str
-    yardstick: float
-    aim: float
-    """Largest ratio that is aimed at."""
-
-    @property
-    def ratio(self) -> float:
-        return self.seconds / self.yardstick
-
-
-def least(call: Callable[[], object], times: int = 5) -> float:
-    """Return the shortest of some runs, after one that warms up [s]."""
-    call()
-    runs = []
-    for _ in range(times):
-        start = perf_counter()
-        call()
-        runs.append(perf_counter() - start)
-    return min(runs)
-
-
-def products() -> float:
-    """Return how long forty products of two 400 × 400 matrices take on one thread [s]."""
-    a, b = np.random.default_rng(0).normal(size=(2, 400, 400))
-    return least(lambda: [a @ b for _ in range(40)])
 
 
 def solving(small: bool) -> list[Figure]:
@@ -269,7 +236,12 @@ def table(figures: list[Figure]) -> Table:
 def main(small: bool) -> list[Figure]:
     """Measure everything and print the table."""
     with tempfile.TemporaryDirectory() as folder:
-        figures = [*solving(small), *detection(small), *stages(small, Path(folder))]
+        figures = [
+            *solving(small),
+            *crowds.figures(small),
+            *detection(small),
+            *stages(small, Path(folder)),
+        ]
     Console(width=140).print(table(figures))
     return figures
 

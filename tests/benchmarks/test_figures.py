@@ -7,7 +7,7 @@ from comparison import rounds
 
 def test_every_figure_is_measured(capsys) -> None:
     measured = figures.main(True)
-    assert len(measured) == 14
+    assert len(measured) == 23
     assert all(each.seconds > 0 and each.yardstick > 0 for each in measured)
     assert "one iteration" in capsys.readouterr().out
 
