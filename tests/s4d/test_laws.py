@@ -11,6 +11,7 @@ from usdmotion.humanoid import PartMap
 from usdmotion.kernels import conjugate, from_vector, multiply, rotate
 from usdmotion.motion import Motion, Placement, Skeleton
 from usdmotion.s4d import Morphology, NormalizedMotion, normalize, restore
+from usdmotion.s4d.turns import IDENTITY
 
 from .conftest import UP, apart, moving, put, taken
 
@@ -81,7 +82,7 @@ def test_it_does_not_matter_how_the_axes_of_joints_lie(body: Morphology) -> None
     motion, shape = moving(body, size=1.0), body.skeleton
     generator = np.random.default_rng(7)
     axes = from_vector(generator.uniform(-2.0, 2.0, size=(len(shape.joints), 3)))
-    above = np.where((shape.parents >= 0)[:, None], axes[shape.parents], (0.0, 0.0, 0.0, 1.0))
+    above = np.where((shape.parents >= 0)[:, None], axes[shape.parents], IDENTITY)
 
     def seen(rotations: Floats) -> Floats:
         return multiply(multiply(conjugate(above), rotations), axes)
@@ -132,7 +133,7 @@ def test_a_rest_of_lengths_only_is_told_by_the_motion(body: Morphology) -> None:
     """
     motion, shape = walking(body), body.skeleton
     flat, along = rowed(body)
-    above = np.where((shape.parents >= 0)[:, None], along[shape.parents], (0.0, 0.0, 0.0, 1.0))
+    above = np.where((shape.parents >= 0)[:, None], along[shape.parents], IDENTITY)
     seen = multiply(multiply(conjugate(above), motion.rotations), along)
     told = Motion(motion.times, rotate(conjugate(above), motion.translations), seen)
     other = Morphology.of(flat, body.parts, poses=told)
@@ -145,6 +146,16 @@ def test_a_rest_of_lengths_only_is_told_by_the_motion(body: Morphology) -> None:
     metres, degrees = apart(flat, told, put(two, other))
     assert metres < 1e-9
     assert degrees < 1e-6
+
+
+def test_one_posture_that_stands_tells_as_much_as_a_rest_pose(body: Morphology) -> None:
+    flat, along = rowed(body)
+    above = np.where((flat.parents >= 0)[:, None], along[flat.parents], IDENTITY)
+    standing = multiply(conjugate(above), along)[None]
+    poses = Motion(np.zeros(1), flat.rest_translations[None], standing)
+    other = Morphology.of(flat, body.parts, poses=poses)
+    expected = multiply(conjugate(along), body.part_frames)
+    assert turned_apart(other.part_frames, expected) < 1e-3
 
 
 def walking(body: Morphology) -> Motion:
@@ -174,7 +185,7 @@ def rowed(body: Morphology) -> tuple[Skeleton, Floats]:
     )
     backwards = from_vector(np.array((0.0, np.pi, 0.0)))
     ahead = from_vector(np.array((0.0, -right, 0.0)))
-    along = np.tile((0.0, 0.0, 0.0, 1.0), (len(shape.joints), 1))
+    along = np.tile(IDENTITY, (len(shape.joints), 1))
     for joint, part in enumerate(body.parts.parts):
         own = part.partition("_")[2]
         if part in ("skullbase",) or part.startswith("v"):
@@ -185,9 +196,9 @@ def rowed(body: Morphology) -> tuple[Skeleton, Floats]:
             along[joint] = ahead
         elif part.startswith("r_"):
             along[joint] = backwards
-    above = np.where((shape.parents >= 0)[:, None], along[shape.parents], (0.0, 0.0, 0.0, 1.0))
+    above = np.where((shape.parents >= 0)[:, None], along[shape.parents], IDENTITY)
     row = rotate(conjugate(above), shape.rest_translations)
-    identity = np.tile((0.0, 0.0, 0.0, 1.0), (len(shape.joints), 1))
+    identity = np.tile(IDENTITY, (len(shape.joints), 1))
     return Skeleton(shape.joints, shape.parents, row, identity), along
 
 

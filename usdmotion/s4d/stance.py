@@ -12,8 +12,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from usdmotion.arrays import Floats
+from usdmotion.arrays import Bools, Floats
 from usdmotion.humanoid import PartMap
+from usdmotion.humanoid.parts import LEG
 from usdmotion.kernels import chordal_mean, conjugate, forward, multiply, rotate, to_vector
 from usdmotion.motion import Motion, Skeleton
 from usdmotion.s4d.places import LIMBS
@@ -25,8 +26,13 @@ _NEAR = np.radians(40.0)
 """How far from a turn by right angles a joint may be on average to be meant as that."""
 _STILL = np.radians(2.0)
 """Median turn away from its mean of a joint that hardly moves."""
+_BENT = 0.03
+"""How far beside the line from top to end a middle joint is on average that shows its side, over
+the length of the upper segment."""
 _STANDING = 0.1
 """Share of the frames, the slowest and lowest ones, in which a foot is taken to stand."""
+_UPRIGHT = np.cos(np.radians(40.0))
+"""And how far the shank above it may lean."""
 _RIGHT_ANGLES = Rotation.create_group("O").as_quat()
 
 
@@ -38,9 +44,10 @@ class Stance:
     """The skeleton, standing."""
     sides: Mapping[int, Floats]
     """Where the middle joint of a limb goes when it bends, in the frame of its top or of its middle
-    joint, shape (3,)."""
+    joint, shape (3,); none of limbs that hardly bend."""
     soles: Mapping[int, Floats]
-    """The direction away from the sole in the frame of an ankle, shape (3,)."""
+    """The direction away from the sole in the frame of an ankle, shape (3,); none of feet that do
+    not stand."""
 
     @classmethod
     def seen(cls, skeleton: Skeleton, parts: PartMap, motion: Motion) -> "Stance":
@@ -58,8 +65,7 @@ class Stance:
         sides: dict[int, Floats] = {}
         for limb in LIMBS:
             sides |= posed.sides(*limb)
-        soles = {posed.joint(f"{side}_talocrural"): posed.sole(side) for side in "lr"}
-        return cls(replace(skeleton, rest_rotations=rotations), sides, soles)
+        return cls(replace(skeleton, rest_rotations=rotations), sides, posed.soles())
 
 
 def _usual(rotations: Floats) -> Floats:
@@ -92,25 +98,43 @@ class _Posed:
         return np.asarray(self.positions[:, self.joint(part)])
 
     def sides(self, top: str, middle: str, end: str) -> dict[int, Floats]:
-        """Return the mean side of the middle joint, which counts by how far the limb is bent."""
+        """Return the mean side of the middle joint, which counts by how far the limb is bent.
+
+        None of a limb that hardly ever bends.
+        """
         upper = self.place(middle) - self.place(top)
         side = across(upper, unit(self.place(end) - self.place(top)))
-        return {
+        sides = {
             joint: rotate(conjugate(self.orientations[:, joint]), side).mean(axis=0)
             for joint in (self.joint(top), self.joint(middle))
         }
+        length = np.linalg.norm(upper, axis=-1).mean()
+        is_told = all(np.linalg.norm(each) > _BENT * length for each in sides.values())
+        return sides if is_told else {}
 
-    def sole(self, side: str) -> Floats:
-        """Return which way is up for a foot while it moves least and is lowest."""
+    def soles(self) -> dict[int, Floats]:
+        """Return which way is up for each foot while its leg stands; none if it never does."""
         hips = self.place("l_hip") + self.place("r_hip")
         trunk = unit(self.place("l_shoulder") + self.place("r_shoulder") - hips).mean(axis=0)
         axis = int(np.argmax(np.abs(trunk)))
         up = np.sign(trunk[axis]) * np.eye(3)[axis]
-        ankle = self.joint(f"{side}_talocrural")
-        turns = self.orientations[:, ankle]
-        toes = self.parts.joint(f"{side}_metatarsophalangeal")
+        found = {}
+        for side in "lr":
+            ankle = self.joint(f"{side}_talocrural")
+            stands = self._stands(side, up)
+            if stands.any():
+                turns = conjugate(self.orientations[stands, ankle])
+                found[ankle] = rotate(turns, up).mean(axis=0)
+        return found
+
+    def _stands(self, side: str, up: Floats) -> Bools:
+        """Return on which frames a foot is slowest and lowest of those with an upright leg."""
+        ankle, toes = self.joint(f"{side}_{LEG[2]}"), self.parts.joint(f"{side}_{LEG[3]}")
         foot = self.positions[:, [ankle, ankle if toes is None else toes]]
+        leg = unit(self.place(f"{side}_knee") - foot[:, 0]) @ up
         steps = np.linalg.norm(np.diff(foot, axis=0, prepend=foot[:1]), axis=-1).sum(axis=1)
         rank = np.argsort(np.argsort(steps)) + np.argsort(np.argsort(foot[:, 0] @ up))
-        stands = rank <= np.quantile(rank, _STANDING)
-        return np.asarray(rotate(conjugate(turns[stands]), up).mean(axis=0))
+        upright = np.asarray(leg > _UPRIGHT)
+        if not upright.any():
+            return upright
+        return np.asarray(upright & (rank <= np.quantile(rank[upright], _STANDING)))
