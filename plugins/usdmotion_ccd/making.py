@@ -5,7 +5,6 @@ import numpy as np
 from usdmotion import Problem
 from usdmotion.kernels import TaskTable, apart
 from usdmotion_ccd.errors import measure, slope
-from usdmotion_ccd.planning import plan_moves
 from usdmotion_ccd.posing import orient_joint, place
 from usdmotion_ccd.schedule import Schedule
 from usdmotion_ccd.state import (
@@ -20,6 +19,7 @@ from usdmotion_ccd.state import (
     Told,
     Tree,
 )
+from usdmotion_ccd.tabulating import plan_moves
 
 
 def make_parts(problem: Problem, plan: Schedule, settings: Settings) -> Parts:

@@ -5,18 +5,18 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from usdmotion import Bools, Floats, Ints, Problem
+from usdmotion import Bools, Problem
 from usdmotion.kernels import Kind
 from usdmotion_ccd.anatomy import Group, Limb, anatomy
 from usdmotion_ccd.schedule import Schedule
-from usdmotion_ccd.state import LIMB, SHIFT, TURN, Moves, Ranks, Tree
+from usdmotion_ccd.state import LIMB, SHIFT, TURN
 from usdmotion_ccd.trees import make_tree, seen_nodes
 
 FEW = 4
 """A sum of more points than this is a centre of mass."""
 TRIFLE = 0.04
 """A joint that carries less than this share of the mass does nothing for the balance."""
-_TURNS = (Kind.ROTATION, Kind.AIM)
+_TURNS = (int(Kind.ROTATION), int(Kind.AIM))
 
 
 @dataclass(eq=False)
@@ -32,6 +32,8 @@ class Move:
     """Place of the limb among the moves of the rank that does as well."""
     nodes: set[int] = field(default_factory=set)
     """The joints that it turns."""
+    mending: set[int] = field(default_factory=set)
+    """Those of its tasks that it makes up for where another move disturbs them."""
     key: tuple[int, ...] = ()
     """The order in which it is tried."""
 
@@ -81,6 +83,7 @@ class Planner:
         balances = self.balances(tasks)
         for move in moves:
             move.key = self._key(move, balances)
+            move.mending = {task for task in move.tasks if self._mends(move, task)}
         moves.sort(key=lambda move: move.key)
         for place, move in enumerate(moves):
             for other in moves:
@@ -92,6 +95,15 @@ class Planner:
     def balances(self, tasks: Sequence[int]) -> bool:
         """Tell whether all of some tasks are about a centre of mass."""
         return all(len(self.seen[task]) > FEW for task in tasks)
+
+    def is_coupled(self, tasks: Sequence[int], moves: Sequence[Move]) -> bool:
+        """Tell whether some tasks ask more of a limb than one of them alone, or its end, does."""
+        limbs = [move for move in moves if move.kind == LIMB]
+        return any(
+            self.affects(limb, task) and task not in limb.tasks and not self.ends(limb, task)
+            for limb in limbs
+            for task in tasks
+        )
 
     def _moves_at(self, node: int, tasks: Sequence[int], recruited: Bools) -> list[Move]:
         """Return the moves that start at a node."""
@@ -136,6 +148,14 @@ class Planner:
             yield int(node)
             node = int(self.cast.parents[node])
 
+    def _mends(self, move: Move, task: int) -> bool:
+        """Tell whether a move is what makes up for disturbances of a task."""
+        if self.table.kind[task] in _TURNS:
+            return move.kind == TURN and bool(self.body.groups[move.node] != Group.TRUNK)
+        if move.kind == SHIFT:
+            return not self.bends(task)
+        return move.kind == LIMB
+
     def is_bent_for(self, limb: Limb, task: int) -> bool:
         """Tell whether a task is about one point that goes with the second segment of a limb."""
         table = self.table
@@ -156,115 +176,3 @@ class Planner:
         group = int(body.groups[move.node])
         priority, depth = int(cast.priorities[move.node]), int(body.depths[move.node])
         return (priority, group, int(move.kind != LIMB), -depth, move.node)
-
-
-def plan_moves(problem: Problem, plan: Schedule) -> tuple[Tree, Ranks, Moves]:
-    """Return the joints, the ranks and the moves of a problem."""
-    planner = Planner(problem, plan)
-    level = problem.table.level
-    first, first_task, first_move, balances = [0], [0], [0], []
-    groups: list[list[tuple[list[int], list[Move]]]] = []
-    for start, end in zip(plan.first_task, plan.first_task[1:], strict=False):
-        tasks = plan.tasks[start:end].tolist()
-        ranks = []
-        for each in sorted({int(level[task]) for task in tasks}):
-            own = [task for task in tasks if level[task] == each]
-            ranks.append((own, planner.moves_of(own)))
-            first_task.append(first_task[-1] + len(own))
-            first_move.append(first_move[-1] + len(ranks[-1][1]))
-            balances.append(planner.balances(own))
-        first.append(first[-1] + len(ranks))
-        groups.append(ranks)
-    ranks_ = Ranks(
-        first=np.array(first),
-        first_task=np.array(first_task),
-        tasks=np.array(plan.tasks),
-        first_move=np.array(first_move),
-        balances=np.array(balances, dtype=np.bool_),
-    )
-    return planner.tree, ranks_, _tabulate(planner, groups)
-
-
-def _tabulate(planner: Planner, groups: list[list[tuple[list[int], list[Move]]]]) -> Moves:
-    """Return the moves of all ranks of all characters as arrays."""
-    most = max((sum(len(own) for own, _ in ranks) for ranks in groups), default=0)
-    count = sum(len(moves) for ranks in groups for _, moves in ranks)
-    flags = {name: np.zeros((count, most), dtype=np.bool_) for name in _PAIRS}
-    shares = np.ones((count, most))
-    rows: list[Move] = []
-    covers: list[int] = []
-    for ranks in groups:
-        tasks = [task for own, _ in ranks for task in own]
-        rank_of = [index for index, (own, _) in enumerate(ranks) for _ in own]
-        for _, moves in ranks:
-            start = len(rows)
-            for move in moves:
-                at = len(rows)
-                rows.append(move)
-                covers.append(start + move.cover if move.cover >= 0 else -1)
-                for place, task in enumerate(tasks):
-                    flags["affects"][at, place] = planner.affects(move, task)
-                    flags["drives"][at, place] = task in move.tasks
-                    flags["ends"][at, place] = planner.ends(move, task)
-                    others = ranks[rank_of[place]][1]
-                    mended = (_mends(move, each, task, planner) for each in others)
-                    flags["mends"][at, place] = any(mended)
-                    if move.kind == LIMB and task in move.tasks:
-                        later = [e for e in moves if e.kind == LIMB and task in e.tasks]
-                        shares[at, place] = 1.0 / (len(later) - later.index(move))
-    return _columns(planner, rows, covers, flags, shares)
-
-
-_PAIRS = ("affects", "drives", "mends", "ends")
-
-
-def _mends(move: Move, other: Move, task: int, planner: Planner) -> bool:
-    """Tell whether another move makes up for what a move does to a task."""
-    if task not in other.tasks or not _repairs(other, planner, task):
-        return False
-    if (move.kind == SHIFT) != (other.kind == SHIFT):
-        return True
-    if move.kind == SHIFT:
-        return False
-    return not move.nodes & other.nodes
-
-
-def _repairs(move: Move, planner: Planner, task: int) -> bool:
-    """Tell whether a move is what makes up for disturbances of a task."""
-    kind = planner.table.kind[task]
-    if kind in _TURNS:
-        return move.kind == TURN and planner.body.groups[move.node] != Group.TRUNK
-    if move.kind == LIMB:
-        return True
-    if move.kind == TURN:
-        return False
-    return not planner.bends(task)
-
-
-def _columns(
-    planner: Planner, rows: list[Move], covers: list[int], flags: dict[str, Bools], shares: Floats
-) -> Moves:
-    body = planner.body
-    limbs = [row.limb for row in rows]
-    hinges = [limb.hinge if limb else np.zeros(3) for limb in limbs]
-    in_limb = {n for limb in body.limbs for n in (limb.node, limb.middle, limb.end)}
-
-    def ints(values: object) -> Ints:
-        return np.array(list(values), dtype=np.int64)  # type: ignore[call-overload]
-
-    def bools(values: object) -> Bools:
-        return np.array(list(values), dtype=np.bool_)  # type: ignore[call-overload]
-
-    return Moves(
-        kind=ints(row.kind for row in rows),
-        node=ints(row.node for row in rows),
-        middle=ints(limb.middle if limb else -1 for limb in limbs),
-        end=ints(limb.end if limb and planner.tree.enter[limb.end] >= 0 else -1 for limb in limbs),
-        hinge=np.array(hinges).reshape(-1, 3),
-        damped=bools(row.kind == TURN and row.node not in in_limb for row in rows),
-        steady=bools(limb is not None and body.groups[limb.node] == Group.LEGS for limb in limbs),
-        repairs=bools(any(_repairs(row, planner, task) for task in row.tasks) for row in rows),
-        limb=ints(covers),
-        shares=shares,
-        **flags,
-    )

@@ -91,7 +91,7 @@ def _solve_rank(work: Work, step: Step, frame: int, character: int, rank: int) -
     The root comes in late, with all other joints: when turning them one by one does no more.
     """
     ranks, settings = work.ranks[0], work.settings[0]
-    balances, late = ranks.balances[rank], False
+    balances, late = ranks.balances[rank], ranks.coupled[rank]
     for iteration in range(settings.iterations):
         late |= iteration >= settings.shift_after
         if worst(work, frame, rank) <= settings.tolerance:
@@ -172,14 +172,17 @@ def _repair(work: Work, step: Step, frame: int, character: int, rank: int, move:
     First by what needs no more than a limb, and where that is not enough by every turn.
     """
     most = 2.0 * work.settings[0].tolerance
+    top = work.ranks[0].first[character]
+    if move >= 0:
+        top = work.moves[0].top[move]
     before = math.inf
     whole = move < 0
     for _ in range(REPAIRS):
         if whole:
             step(work, frame, character, rank, REPAIR, 1.0)
         elif move >= 0:
-            _repair_by_limbs(work, step, frame, character, rank, move)
-        left_over = _disturbed(work, frame, character, rank)
+            _repair_by_limbs(work, step, frame, character, rank, move, top)
+        left_over = _disturbed(work, frame, top, rank)
         if left_over <= most:
             return not _is_overstretched(work, character, rank)
         if left_over > ENOUGH * before:
@@ -194,10 +197,10 @@ def _repair(work: Work, step: Step, frame: int, character: int, rank: int, move:
 
 @shared
 def _repair_by_limbs(
-    work: Work, step: Step, frame: int, character: int, rank: int, move: int
+    work: Work, step: Step, frame: int, character: int, rank: int, move: int, top: int
 ) -> None:
     ranks, moves = work.ranks[0], work.moves[0]
-    for other in range(rank, ranks.first[character] - 1, -1):
+    for other in range(rank, top - 1, -1):
         for repair in range(ranks.first_move[other], ranks.first_move[other + 1]):
             if moves.repairs[repair] and not _overlap(work, move, repair):
                 step(work, frame, character, other, repair, 1.0)
@@ -230,10 +233,10 @@ def _overlap(work: Work, move: int, other: int) -> bool:
 
 
 @shared
-def _disturbed(work: Work, frame: int, character: int, rank: int) -> float:
-    """Return how far the ranks above one are at most from where they were left [m or rad]."""
+def _disturbed(work: Work, frame: int, top: int, rank: int) -> float:
+    """Return how far ranks above one are from where they were left, from `top` on [m or rad]."""
     largest = 0.0
-    for other in range(work.ranks[0].first[character], rank):
+    for other in range(top, rank):
         largest = max(largest, worst(work, frame, other))
     return largest
 

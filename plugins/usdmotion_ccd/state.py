@@ -67,6 +67,8 @@ class Ranks(NamedTuple):
     """(X + 1,) the moves of rank x are first_move[x] to first_move[x + 1]."""
     balances: Bools
     """(X,) whether the rank asks for nothing but the centre of mass."""
+    coupled: Bools
+    """(X,) whether it asks more of a limb than that can do joint by joint."""
 
 
 class Moves(NamedTuple):
@@ -93,6 +95,8 @@ class Moves(NamedTuple):
     """(B,) whether it is used to make up for what another move did to the rank."""
     limb: Ints
     """(B,) the limb that does as well whatever a turn could, -1 for none."""
+    top: Ints
+    """(B,) the first rank of its character that it disturbs."""
     affects: Bools
     """(B, M) whether it changes what a task measures."""
     drives: Bools
