@@ -20,6 +20,7 @@ from usdmotion.kernels.residuals import between
 from usdmotion_ccd.errors import dot, left, length, sight, term_place
 from usdmotion_ccd.posing import carries, orient, turn
 from usdmotion_ccd.state import Work
+from usdmotion_ccd.stretching import allowed
 from usdmotion_ccd.turning import solve_turn
 
 HINGE = 0.05
@@ -64,12 +65,14 @@ def bend_limb(work: Work, frame: int, character: int, rank: int, move: int, scal
         count, at, way = _asked_way(work, frame, character, rank, move)
     if count == 0 or length(way) * scale < 1e-12:
         return False
+    if end >= 0:
+        at = vector_at(pose.positions, end)
+    most = allowed(work, character, rank, move, at, way)
     if end < 0:
-        reach(work, move, at, (scale * way[0], scale * way[1], scale * way[2]))
+        reach(work, move, at, (scale * way[0], scale * way[1], scale * way[2]), most)
         return True
     orientation = quaternion_at(pose.orientations, end)
-    at = vector_at(pose.positions, end)
-    reach(work, move, at, (scale * way[0], scale * way[1], scale * way[2]))
+    reach(work, move, at, (scale * way[0], scale * way[1], scale * way[2]), most)
     orient(work, end, orientation)
     return True
 
@@ -174,7 +177,7 @@ def turn_end(work: Work, frame: int, character: int, rank: int, move: int) -> No
 
 
 @shared
-def reach(work: Work, move: int, at: Any, way: Any) -> None:
+def reach(work: Work, move: int, at: Any, way: Any, most: float) -> None:
     """Bring a point that goes with the second segment of a limb as far along a way as it goes.
 
     Args:
@@ -182,6 +185,7 @@ def reach(work: Work, move: int, at: Any, way: Any) -> None:
         move: The limb.
         at: Where the point is [m].
         way: How far it should go [m].
+        most: How far it may be from where the limb starts [m].
     """
     moves, tree, pose = work.moves[0], work.tree[0], work.pose[0]
     node, middle = moves.node[move], moves.middle[move]
@@ -191,7 +195,7 @@ def reach(work: Work, move: int, at: Any, way: Any) -> None:
     if length(upper) < SHORT or length(lower) < SHORT or length(goal) < SHORT:
         return
     axis = _hinge(work, move, upper, lower)
-    angle = tree.freedom[middle] * _bend(upper, lower, axis, length(goal))
+    angle = tree.freedom[middle] * _bend(upper, lower, axis, min(length(goal), most))
     own = quaternion_at(pose.orientations, middle)
     before = turned(inverse(own), lower)
     turn(work, middle, (angle * axis[0], angle * axis[1], angle * axis[2]))

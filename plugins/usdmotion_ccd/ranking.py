@@ -12,6 +12,7 @@ from usdmotion_ccd.errors import POINT, left, length
 from usdmotion_ccd.posing import restore, save
 from usdmotion_ccd.shifting import forget, shift_root
 from usdmotion_ccd.state import LIMB, SHIFT, Step, Work
+from usdmotion_ccd.stretching import UNKNOWN, forget_stretches
 from usdmotion_ccd.together import move_together
 from usdmotion_ccd.turning import turn_joint
 
@@ -55,7 +56,10 @@ def solve_ranks(work: Work, step: Step, frame: int, character: int) -> int:
         asked.gains[move] = 1.0
     spent = 0
     for rank in range(first, last):
+        forget_stretches(work, rank, UNKNOWN)
         spent += _solve_rank(work, step, frame, character, rank)
+        if worst(work, frame, rank) > work.settings[0].tolerance:
+            _stretch_out(work, step, frame, character, rank)
         _keep(work, frame, character, rank)
     return spent
 
@@ -113,6 +117,15 @@ def _solve_rank(work: Work, step: Step, frame: int, character: int, rank: int) -
                 return iteration + 1
             late = True
     return settings.iterations
+
+
+@shared
+def _stretch_out(work: Work, step: Step, frame: int, character: int, rank: int) -> None:
+    """Let the limbs of a rank that is not met go as far as they can."""
+    forget_stretches(work, rank, 1.0)
+    for move in range(work.ranks[0].first_move[rank], work.ranks[0].first_move[rank + 1]):
+        if work.moves[0].kind[move] == LIMB:
+            _attempt(work, step, frame, character, rank, move)
 
 
 @shared

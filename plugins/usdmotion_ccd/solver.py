@@ -44,6 +44,13 @@ class CyclicDescent:
         "mass it is shifted at once.",
         minimum=0,
     )
+    stretch: float = option(
+        0.95,
+        "Share of its length up to which a limb is stretched before what carries it helps, so that "
+        "no elbow snaps straight.",
+        minimum=0.5,
+        maximum=1.0,
+    )
     threads: int = option(
         0,
         "How many threads solve characters that do not look at each other; 0 is one for each core. "

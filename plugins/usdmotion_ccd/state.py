@@ -120,6 +120,7 @@ class Settings(NamedTuple):
     damping: float
     settled: float
     shift_after: int
+    stretch: float
 
 
 class Pose(NamedTuple):
