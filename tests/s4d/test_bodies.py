@@ -1,5 +1,6 @@
 """One motion on bodies with other joints, proportions, rest poses and axes."""
 
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -168,3 +169,20 @@ def test_a_leg_too_bent_for_another_is_bent_as_far_as_that_one_goes(body: Morpho
     folded = place(theirs, copied, "l_talocrural") - place(theirs, copied, "l_hip")
     limb = theirs.limbs[1]
     assert np.allclose(np.linalg.norm(folded, axis=-1), limb.upper - limb.lower, atol=1e-6)
+
+
+@pytest.mark.parametrize("kind", ["metacarpophalangeal", "metatarsophalangeal", "vertebra"])
+def test_joints_that_lie_on_each_other_lose_nothing(kind: str) -> None:
+    """Knuckles in the wrist, balls in the ankles, vertebrae in one place."""
+    mine = somebody(finger_joints=2)
+    places = np.array(mine.skeleton.rest_translations)
+    for joint, part in enumerate(mine.parts.parts):
+        if kind in part or (kind == "vertebra" and joint in mine.parts.spine):
+            places[joint] = 0.0
+    other = Morphology.of(replace(mine.skeleton, rest_translations=places), mine.parts)
+    motion = moving(other)
+    normalized = taken(motion, other)
+    assert between(put(normalized, other).rotations, motion.rotations) < 1e-4
+    for body in (mine, somebody(vertebrae=5)):
+        assert np.isfinite(put(normalized, body).rotations).all()
+    assert np.isfinite(put(taken(moving(mine), mine), other).rotations).all()

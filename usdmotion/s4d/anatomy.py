@@ -32,6 +32,8 @@ _AHEAD = 0.3
 """Share of its length that a foot goes ahead at least, to show where ahead is."""
 _ROLL = np.cos(np.radians(12.0))
 """How far a foot may be rolled against its leg and be meant to stand flat."""
+_SPREAD = 0.1
+"""How far apart the outer knuckles are, over their way from the wrist, to show the palm."""
 _WIDE = ("hip", "shoulder")
 _SAME_SIDE = 0.3
 """Cosine below which a bend at rest is another than that of the joint."""
@@ -148,14 +150,15 @@ class Rest:
         on its leg.
         """
         balls = self._ahead(ankle, ("tarsometatarsal", "metatarsophalangeal"))
-        way = np.mean([self.line(ankle, ball) for ball in balls], axis=0) if balls else Z
+        ways = [self.line(ankle, ball) for ball in balls]
+        way = np.mean(ways, axis=0) if np.any(ways) else Z
         up = self._seen(self._soles, ankle)
         if up is not None:
             return from_y_z(up, across(way, up))
         ahead = across(way, Y)[2] > _AHEAD * np.linalg.norm(way)
         hanging = unit(across(rotate(shank, Y), Z))
         flat, slanted = (from_y_z(up, across(way if ahead else Z, up)) for up in (Y, hanging))
-        straighter = not balls or rotate(slanted, Z)[2] > rotate(flat, Z)[2]
+        straighter = not np.any(ways) or rotate(slanted, Z)[2] > rotate(flat, Z)[2]
         return slanted if hanging @ Y < _ROLL and straighter else flat
 
     def _hand(self, joints: Sequence[int], forearm: Floats, sign: float) -> Floats:
@@ -168,9 +171,10 @@ class Rest:
         known = [joint for joint in knuckles if joint is not None]
         straight = rotate(forearm, sign * X)
         ways = [self.line(wrist, joint) for joint in known]
-        way = unit(np.mean(ways, axis=0)) if ways else straight
-        if len(known) > 1:
-            thumbwards = across(self.line(known[-1], known[0]), way)
+        way = unit(np.mean(ways, axis=0)) if np.any(ways) else straight
+        spread = self.line(known[-1], known[0]) if known else np.zeros(3)
+        thumbwards = across(spread, way)
+        if np.linalg.norm(thumbwards) > _SPREAD * np.linalg.norm(ways or straight, axis=-1).mean():
             return from_y_z(np.cross(thumbwards, sign * way), thumbwards)
         return multiply(swing(straight, way), forearm)
 
