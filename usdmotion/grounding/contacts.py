@@ -60,12 +60,7 @@ def footprint_of(contact: ContactConstraint, character: Character, pose: Pose) -
 
 
 def on_ground(
-    contact: ContactConstraint,
-    character: Character,
-    before: Pose,
-    after: Pose,
-    standing: Standing,
-    up: Floats,
+    contact: ContactConstraint, character: Character, before: Pose, after: Pose, standing: Standing
 ) -> ContactConstraint:
     """Return a contact of a foot with the ground as its space.
 
@@ -77,7 +72,6 @@ def on_ground(
         before: Where its joints were in the world.
         after: Where they are on the ground.
         standing: How they came there.
-        up: The direction away from the ground, shape (3,).
     """
     footprint = footprint_of(contact, character, before)
     times, space = character.motion.times, contact.space
@@ -88,7 +82,7 @@ def on_ground(
     if footprint.part[2:] == ANKLE and footprint.rotation is not None:
         # It lies on the ground as far as the ankle can be bent.
         turns = multiply(after.rotations[frames, joint], conjugate(footprint.rotation))
-    if np.ptp(tread.drawn[frames] @ up) < _STILL:
+    if np.ptp(tread.rises[frames]) < _STILL:
         places, turns = places.mean(axis=0), _mean(turns)
     else:
         nearest = np.clip(np.arange(len(times)), frames[0], frames[-1]) - frames[0]

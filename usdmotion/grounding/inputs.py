@@ -69,9 +69,7 @@ def grounded(scene: Scene, detect: Detect) -> Grounded:
         standing = _standing(edit, given, footprints, scene)
         there = replace(given, motion=standing.motion)
         after = _pose(there)
-        contacts |= {
-            each.path: on_ground(each, given, before, after, standing, scene.up) for each in feet
-        }
+        contacts |= {each.path: on_ground(each, given, before, after, standing) for each in feet}
         characters[given.path] = there
         accounts[edit.path] = _account(footprints, not feet, standing, scene)
     if not accounts:
@@ -86,7 +84,8 @@ def _standing(edit: Edit, given: Character, footprints: list[Footprint], scene: 
             f"<{edit.path}> stands on a ground, and nobody knows which joints of <{given.path}> "
             "are its legs; author usdmotion:parts on it"
         )
-    body = Morphology.of(given.skeleton, given.parts, who=f"<{given.path}>")
+    who = f"<{given.path}>"
+    body = Morphology.of(given.skeleton, given.parts, poses=given.motion, who=who)
     return stand(
         given.motion, given.placement, body, footprints, edit.ground, up=scene.up, body=given.body
     )

@@ -4,12 +4,13 @@ import numpy as np
 
 from usdmotion.arrays import Bools, Floats
 from usdmotion.ground import Ground
+from usdmotion.s4d.footprints import between
 
 _MARGIN = 0.015
 """Soles swing this high above the ground, if they did above the one the motion was made on [m]."""
 _AROUND = 0.05
 """How long before and after it is needed a foot is lifted [s]."""
-_ENDS = 0.04
+_ENDS = 0.06
 """Within how long after it leaves the ground, and before it comes down, the lift is eased [s]."""
 
 
@@ -36,6 +37,9 @@ def lift(
     heights, _ = ground.under(soles, times)
     wanted = np.minimum(original @ up - made_on, _MARGIN)
     missing = np.nan_to_num(wanted - (soles @ up - heights), nan=0.0).max(axis=1)
+    if stands.any():
+        # From where it stood a little in the ground it leaves as it was there, and comes down so.
+        missing = missing - np.maximum(between(times, stands, missing), 0.0)
     missing = np.where(stands, 0.0, np.maximum(missing, 0.0))
     return covering(missing, times, _AROUND) * _share(stands, times)
 

@@ -19,6 +19,11 @@ STRAIGHT = 0.995
 """How far a leg is stretched at most, over its length, if the motion itself does not do more."""
 
 
+_SAME = 1e-6
+"""A leg whose length changes by no more than this goes as it went [m]."""
+_OVERSTRETCHED = 0.12
+"""So far behind the line from hip to ankle, over the thigh, a knee is overstretched; one twice as
+far is bent, wherever it points."""
 _FOOT = 0.146
 """From ankle to ball over leg length, where a foot has no ball (as the demonstrations' body)."""
 _HEEL, _TOES = 0.55, 0.62
@@ -150,6 +155,10 @@ def bent(leg: Leg, pose: Pose, hip: Floats, ankle: Floats) -> tuple[Floats, Floa
     front = rotate(multiply(pose.rotations[:, leg.hip], leg.thigh), FRONT)
     hinge = unit(across(rotate(carried, front), z))
     more = np.maximum(aside - np.linalg.norm(was, axis=1), 0.0)
+    if np.abs(d - np.linalg.norm(before, axis=1)).max(initial=0.0) > _SAME:
+        # Who overstretches a knee a little must not have it snap to and fro when legs are bent.
+        little = np.clip(2.0 - np.linalg.norm(was, axis=1) / (_OVERSTRETCHED * a), 0.0, 1.0)
+        more += 2.0 * little * np.maximum(-np.sum(was * hinge, axis=1), 0.0)
     y = unit(was + more[:, None] * hinge)
     knee = along[:, None] * z + aside[:, None] * y
     end = d[:, None] * z

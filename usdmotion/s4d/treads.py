@@ -37,6 +37,8 @@ class Tread:
     contact: Floats
     """Where it touches the ground, seen from the joint that it stands on, before it is turned [m],
     shape (frame_count, 3)."""
+    rises: Floats
+    """How much higher the ground is than that which the motion was made on [m], (frame_count,)."""
     groundless: tuple[Footprint, ...] = ()
     """The footprints under which there is no ground."""
 
@@ -129,7 +131,7 @@ def treads_of(
     for _, foot, stance in order:
         one = _laid(pose, legs[foot], stance, level, ground, risen, times, up)
         laid[foot].append(one)
-        risen = one.risen
+        risen = float(one.rises[-1])
     return [
         _tread(pose.rotations[:, leg.ankle], own, -level.over[leg.stands_by] * up, times)
         for leg, own in zip(legs, laid, strict=True)
@@ -144,7 +146,7 @@ class _Laid:
     drawn: Floats
     sloped: Floats
     contact: Floats
-    risen: float
+    rises: Floats
     """How much higher the ground is under it than that which the motion was made on [m]."""
     found: bool
     """Whether there is ground."""
@@ -166,7 +168,7 @@ def _laid(
     drawn = stance.drawn(pose.positions[:, joint])
     level_turns = np.broadcast_to(_NONE, (len(drawn), 4))
     if ground is None:
-        return _Laid(stance, drawn, level_turns, np.zeros_like(drawn), 0.0, True)
+        return _Laid(stance, drawn, level_turns, np.zeros_like(drawn), np.zeros(len(drawn)), True)
     contact = footprint.place - level.above(footprint, up) * up
     heading = leg.heading(pose.rotations[frames], up).mean(axis=0)
     heading /= max(float(np.linalg.norm(heading)), 1e-9)
@@ -181,12 +183,11 @@ def _laid(
     )
     known = ~np.isnan(lying.heights)
     if known.mean() < 0.5:
-        return _Laid(stance, drawn, level_turns, np.zeros_like(drawn), 0.0, False)
+        return _Laid(stance, drawn, level_turns, np.zeros_like(drawn), np.zeros(len(drawn)), False)
     heights = between(times[frames], known, lying.heights)
     rises = heights - contact @ up
     below = contact - (pose.positions[frames, leg.stands_on] + drawn)
-    risen = float(rises[-1])
-    return _Laid(stance, drawn + rises[:, None] * up, lying.turns, below, risen, True)
+    return _Laid(stance, drawn + rises[:, None] * up, lying.turns, below, rises, True)
 
 
 def _tread(turns: Floats, laid: Sequence[_Laid], below: Floats, times: Floats) -> Tread:
@@ -201,11 +202,13 @@ def _tread(turns: Floats, laid: Sequence[_Laid], below: Floats, times: Floats) -
     count = len(times)
     stands, drawn = np.zeros(count, dtype=np.bool_), np.zeros((count, 3))
     sloped, off = np.tile(_NONE, (count, 1)), np.zeros((count, 3))
+    rises = np.zeros(count)
     for each in laid:
         stands |= each.stance.frames
         drawn[each.stance.frames] = each.drawn
         sloped[each.stance.frames] = each.sloped
         off[each.stance.frames] = each.contact - below
+        rises[each.stance.frames] = each.rises
     said, turned = np.zeros(count, dtype=np.bool_), np.tile(_NONE, (count, 1))
     for footprint in (one for each in laid for one in each.stance.turned):
         held = footprint.during(times)
@@ -213,12 +216,14 @@ def _tread(turns: Floats, laid: Sequence[_Laid], below: Floats, times: Floats) -
         if footprint.rotation is not None:
             turned[held] = multiply(footprint.rotation, conjugate(turns[held]))
     if stands.any():
-        drawn, sloped, off = (between(times, stands, each) for each in (drawn, sloped, off))
+        drawn, sloped, off, rises = (
+            between(times, stands, each) for each in (drawn, sloped, off, rises)
+        )
     if said.any():
         turned = between(times, said, turned)
     drawn = _settled(drawn, laid, times)
     groundless = tuple(each.stance.footprint for each in laid if not each.found)
-    return Tread(stands, drawn, turned, sloped, below + off, groundless)
+    return Tread(stands, drawn, turned, sloped, below + off, rises, groundless)
 
 
 def _settled(drawn: Floats, laid: Sequence[_Laid], times: Floats) -> Floats:
