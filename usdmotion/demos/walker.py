@@ -41,10 +41,7 @@ def write_walk(
     bodies: Mapping[str, Body] = MappingProxyType({}),
     props: Sequence[Region] = (),
     scenery: Callable[[Any], None] = lambda _: None,
-    ground: Sequence[str] = (),
-    solver: str = "",
-    smoothing: float = 0.0,
-    passes: int = 1,
+    **of_edit: Any,
 ) -> None:
     """Write a stage with the walker and one edit of it.
 
@@ -57,10 +54,7 @@ def write_walk(
         bodies: What is said of the body in each variant of the Skeleton; the first is selected.
         props: What stands about.
         scenery: Authors what else is on the stage.
-        ground: Paths of what the walker is put on; none leaves him where he is.
-        solver: Name of the solver of the edit; "" is the default one.
-        smoothing: Cutoff of the filter between two passes [Hz]; 0 is off.
-        passes: How often the constraints are enforced.
+        of_edit: What `usd.author_edit` is told besides: solver, options, ground, passes, …
     """
     path = f"{SKELETON}/{edit}"
     codes = FIRST + np.round(walk.motion.times * RATE)
@@ -69,9 +63,7 @@ def write_walk(
     ) as stage:
         _author_walker(stage, walk, codes)
         if edit:
-            usd.author_edit(
-                stage, path, solver=solver, smoothing=smoothing, passes=passes, ground=ground
-            )
+            usd.author_edit(stage, path, **of_edit)
         scenery(stage)
         for prop in props:
             usd.author_region(stage, prop, time_codes=codes)
