@@ -45,6 +45,8 @@ class Placing:
     """Path of the Skeleton; "" is the only one of the stage."""
     enforce: bool = True
     """Whether constraints that travelled are solved."""
+    ground: tuple[str, ...] | None = None
+    """Paths of the prims that the motion is put on; None takes what travelled."""
     solver: str | None = None
     """Name of the solver; None takes what travelled."""
     options: Mapping[str, object] = field(default_factory=dict)
@@ -64,6 +66,7 @@ def retarget(
     enforce: bool = True,
     solver: str | None = None,
     options: Mapping[str, object] | None = None,
+    ground: Sequence[str] | None = None,
     say: Say = lambda _: None,
 ) -> RetargetingReport:
     """Put a motion on another body, and write a layer over the stage of that body.
@@ -81,6 +84,8 @@ def retarget(
         enforce: Solve what travelled; else it is there, and not solved.
         solver: Name of the solver; None takes what travelled.
         options: Options of the solver, on top of those that travelled.
+        ground: Paths of the prims of the target's stage that the motion is put on, none for no
+            ground; None takes the ground that the edit had, where the target's stage has it too.
         say: Is told what is being done.
 
     Raises:
@@ -90,7 +95,8 @@ def retarget(
     from usdmotion import usd
 
     choice = Choice(motion, tuple(edits), frames, contacts)
-    placing = Placing(skeleton, enforce, solver, dict(options or {}))
+    put_on = None if ground is None else tuple(ground)
+    placing = Placing(skeleton, enforce, put_on, solver, dict(options or {}))
     luggage, recorded, notes = _read(source, output, choice, say)
     say(f"reading {target}")
     overlay = usd.Overlay.open(target, output)
@@ -165,11 +171,14 @@ def _put(overlay: Overlay, luggage: Luggage, placing: Placing) -> _Put:
 
     stage = overlay.stage
     facts = read_facts(stage)
+    if placing.ground is not None:
+        settings = replace(luggage.settings, ground=placing.ground)
+        luggage = replace(luggage, settings=settings)
     codes = luggage.codes(facts.time_codes_per_second)
     normalized.set_range(stage, float(codes[0]), float(codes[-1]))
     prim = normalized.find_target(stage, placing.skeleton)
     target = normalized.read_target(prim, codes, facts)
-    same = luggage.body == normalized.fingerprint(target.morphology)
+    same = luggage.body == normalized.fingerprint(target.morphology) and placing.ground is None
     needed = [each for each in luggage.travellers if not (same and each.name in luggage.found)]
     there, behind = normalized.carry(needed, normalized.ways_onto(stage, target, luggage, facts))
     meanings = Meanings.of(target.path, target.morphology, facts.up)
@@ -185,7 +194,7 @@ def _put(overlay: Overlay, luggage: Luggage, placing: Placing) -> _Put:
         target,
         motion,
         animation,
-        edit if placed else "",
+        edit if stage.GetPrimAtPath(edit) else "",
         placed,
         (*luggage.left, *behind, *missing),
         _notes(luggage, target, same),

@@ -147,6 +147,7 @@ SCHEMAS = {
         "UsdTyped",
         """
         rel source
+        rel ground
         uniform token[] limbs []
         quatf[] limbFrames []
         double[] limbLengths []

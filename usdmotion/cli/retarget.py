@@ -5,9 +5,9 @@ from typing import Annotated
 
 import typer
 
-from usdmotion.arguments import beside, frames_of, options_of
+from usdmotion.arguments import beside, frames_of, names_of, options_of
 from usdmotion.cli.application import app
-from usdmotion.cli.flags import Contacts, Frames, Json, Options, Output, Quiet, Strict
+from usdmotion.cli.flags import Contacts, Frames, Ground, Json, Options, Output, Quiet, Strict
 from usdmotion.terminal import Terminal
 
 Source = Annotated[Path, typer.Argument(help="Normalized motions, or a shot.")]
@@ -46,6 +46,7 @@ def retarget(
     solve: Solve = True,
     solver: SolverName = None,
     option: Options = None,
+    ground: Ground = None,
     json: Json = None,
     strict: Strict = False,
     quiet: Quiet = False,
@@ -69,6 +70,7 @@ def retarget(
             enforce=solve,
             solver=solver,
             options=options_of(option),
+            ground=names_of(ground) or None,
             say=say,
         )
     terminal.account(told, f"wrote {output}", json=json)

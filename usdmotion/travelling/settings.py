@@ -18,5 +18,7 @@ class Settings:
     """Cutoff of the filter between two passes [Hz]; 0 is off."""
     passes: int = 1
     """How often the constraints are enforced."""
+    ground: tuple[str, ...] = ()
+    """Paths of the prims that the input is put on."""
     options: Mapping[str, bool | int | float | str] = field(default_factory=dict)
     """Options of the solver."""

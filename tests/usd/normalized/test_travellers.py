@@ -136,7 +136,7 @@ def test_a_kind_that_nobody_knows_is_told_of():
 
 
 def test_how_it_is_solved_travels_too():
-    settings = Settings("ccd", (0.5, 1.0), 10.0, 4.0, 2, {"rounds": 3})
+    settings = Settings("ccd", (0.5, 1.0), 10.0, 4.0, 2, ("/Floor", "/Stairs"), {"rounds": 3})
     stage = stage_of()
     prim, facts = stage.GetPrimAtPath(WALK), read_facts(stage)
     author_settings(prim, settings, CODES, facts)

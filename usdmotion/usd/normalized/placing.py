@@ -1,6 +1,7 @@
 """What travelled, authored as an edit of the body that it came to."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from pxr import Sdf, Usd, UsdGeom
@@ -54,9 +55,16 @@ def place_travellers(
             left.append(Left(each.name, f"it is about {missing}, which is not on the stage"))
         else:
             there.append(each)
-    if there:
+    ground = tuple(path for path in luggage.settings.ground if stage.GetPrimAtPath(path))
+    left += [
+        Left(path, "this ground is not on the stage")
+        for path in luggage.settings.ground
+        if path not in ground
+    ]
+    if there or ground:
         author_edit(stage, edit, skeleton=target.path, source=animation)
-        author_settings(stage.GetPrimAtPath(edit), luggage.settings, codes, facts)
+        settings = replace(luggage.settings, ground=ground)
+        author_settings(stage.GetPrimAtPath(edit), settings, codes, facts)
         _author_above(stage, edit, there)
     for each in there:
         _author(stage, f"{edit}/{each.name}", each, codes, facts)

@@ -26,12 +26,14 @@ def read_settings(prim: Usd.Prim, time_codes: Floats, facts: Facts) -> Settings:
     """
     span = seconds(floats(value(prim, "usdmotion:range", ())), time_codes, facts)
     options: Any = options_of(prim)
+    ground = prim.GetRelationship("usdmotion:ground")
     return Settings(
         solver=str(value(prim, "usdmotion:solver", "")),
         span=(span[0], span[1]) if len(span) == 2 else None,
         cleaning=float(value(prim, "usdmotion:cleaning", 0.0)),
         smoothing=float(value(prim, "usdmotion:smoothing", 0.0)),
         passes=int(value(prim, "usdmotion:passes", 1)),
+        ground=tuple(map(str, ground.GetTargets())) if ground else (),
         options=options,
     )
 
@@ -49,4 +51,6 @@ def author_settings(prim: Usd.Prim, settings: Settings, time_codes: Floats, fact
             prim.GetAttribute(f"usdmotion:{name}").Set(number)
     if settings.passes != 1:
         prim.GetAttribute("usdmotion:passes").Set(settings.passes)
+    if settings.ground:
+        prim.GetRelationship("usdmotion:ground").SetTargets(list(settings.ground))
     author_options(prim, settings.options)
