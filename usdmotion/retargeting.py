@@ -207,7 +207,7 @@ def _standing(
     """Return a motion on a body; on another one than its own it stands on its footprints."""
     body, character = target.morphology, target.sitting.character
     motion = restore(luggage.motion, body, character.placement, up=up)
-    prints = footprints_of(there, Meanings.of(target.path, body, up))
+    prints = footprints_of(there, Meanings.of(target.path, body, up), motion.times)
     if same or not prints:
         return motion
     return stand(motion, character.placement, body, prints, up=up, body=character.body).motion

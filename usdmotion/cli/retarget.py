@@ -55,8 +55,7 @@ def retarget(
     from usdmotion import pipeline, usd
 
     terminal = Terminal.open(quiet=quiet, json=json)
-    output = output or beside(target, "retargeted")
-    usd.require_apart((output,), (json,))
+    usd.require_apart((output := output or beside(target, "retargeted"),), (json,))
     with terminal.busy() as say:
         told = pipeline.retarget(
             source,

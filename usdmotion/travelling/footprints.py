@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from usdmotion.arrays import Floats
 from usdmotion.constraints import ContactConstraint
 from usdmotion.kernels import rotate
 from usdmotion.s4d import Footprint, Held
@@ -9,6 +10,8 @@ from usdmotion.travelling.carrying import Traveller
 from usdmotion.travelling.meanings import Meanings
 
 _FEET = tuple(f"{side}_{part}" for side in "lr" for part in ("talocrural", "metatarsophalangeal"))
+_SLACK = 1e-6
+"""Times closer than this are the same [s]."""
 
 
 def contacts_of_feet(
@@ -35,7 +38,9 @@ def held_by(travellers: Sequence[Traveller], body: Meanings) -> list[Held]:
     return held
 
 
-def footprints_of(travellers: Sequence[Traveller], body: Meanings) -> tuple[Footprint, ...]:
+def footprints_of(
+    travellers: Sequence[Traveller], body: Meanings, times: Floats
+) -> tuple[Footprint, ...]:
     """Return where ankles and balls are held in the world, and when.
 
     A contact of another point than the joint's own says where the joint is only if it says how that
@@ -44,12 +49,13 @@ def footprints_of(travellers: Sequence[Traveller], body: Meanings) -> tuple[Foot
     Args:
         travellers: Constraints in metres, on the body.
         body: The body.
+        times: Seconds of the frames; what is fully on at other times only leaves no footprint.
     """
     props = {each.name for each in travellers if each.props.get("")}
     return tuple(
         _footprint(part, contact)
         for name, part, contact in contacts_of_feet(travellers, body)
-        if name not in props and _says_where(contact)
+        if name not in props and _says_where(contact) and _is_on(contact, times)
     )
 
 
@@ -59,6 +65,11 @@ def _says_where(contact: ContactConstraint) -> bool:
     )
     still = contact.point.ndim == 1 and contact.space.joint is None
     return held and still and bool(contact.times) and contact.activity is not None
+
+
+def _is_on(contact: ContactConstraint, times: Floats) -> bool:
+    start, end = _ends(contact)
+    return bool(start <= times[-1] + _SLACK and end >= times[0] - _SLACK)
 
 
 def _footprint(part: str, contact: ContactConstraint) -> Footprint:
