@@ -43,8 +43,8 @@ class Planner:
 
     def __init__(self, problem: Problem, plan: Schedule) -> None:
         self.cast, self.table, self.plan = problem.cast, problem.table, plan
-        self.tree = make_tree(problem, plan)
         self.body = anatomy(problem.cast)
+        self.tree = make_tree(problem, plan, self.body.limbs)
         self.seen = [seen_nodes(self.table, task) for task in range(len(self.table.kind))]
         self.limbs = {limb.node: limb for limb in self.body.limbs}
         self._bends: dict[int, bool] = {}

@@ -204,6 +204,7 @@ def _repair(work: Work, step: Step, frame: int, character: int, rank: int, move:
             if move >= 0 and work.moves[0].kind[move] == SHIFT:
                 return False
             whole = True
+            top = work.ranks[0].first[character]
         before = left_over
     return False
 

@@ -6,22 +6,24 @@ import numpy as np
 
 from usdmotion import Bools, Ints, Problem
 from usdmotion.kernels import Kind, TaskTable, limit_boxes
+from usdmotion_ccd.anatomy import Limb
 from usdmotion_ccd.schedule import Schedule
 from usdmotion_ccd.state import Tree
 
 
-def make_tree(problem: Problem, plan: Schedule) -> Tree:
-    """Return the joints that tasks look at or move, each character's in depth-first order."""
+def make_tree(problem: Problem, plan: Schedule, limbs: Sequence[Limb]) -> Tree:
+    """Return the joints that tasks look at or move, each character's in depth-first order.
+
+    A limb that is looked at is a whole one, so that no other task makes it another limb.
+    """
     cast, table = problem.cast, problem.table
     wanted = np.zeros(cast.node_count, dtype=np.bool_)
     for nodes in (table.term_node, table.goal_node, table.axes_node):
         wanted[nodes[nodes >= 0]] = True
-    children: list[list[int]] = [[] for _ in range(cast.node_count)]
-    for node in range(cast.node_count - 1, -1, -1):
-        parent = int(cast.parents[node])
-        if parent >= 0 and wanted[node]:
-            wanted[parent] = True
-            children[parent].append(node)
+    _children(cast.parents, wanted)
+    for limb in limbs:
+        wanted[limb.end] |= wanted[limb.middle]
+    children = _children(cast.parents, wanted)
     order, first, enter, leave = _in_depth(children, wanted, plan)
     moves = problem.recruited & (cast.stiffness < 1.0)
     limited = moves & ((cast.limits_min > -180.0) | (cast.limits_max < 180.0)).any(axis=1)
@@ -39,6 +41,16 @@ def make_tree(problem: Problem, plan: Schedule) -> Tree:
         low=low,
         high=high,
     )
+
+
+def _children(parents: Ints, wanted: Bools) -> list[list[int]]:
+    """Return the wanted nodes that each carries; whoever carries one is wanted from now on."""
+    children: list[list[int]] = [[] for _ in parents]
+    for node in range(len(parents) - 1, -1, -1):
+        if parents[node] >= 0 and wanted[node]:
+            wanted[parents[node]] = True
+            children[parents[node]].append(node)
+    return children
 
 
 def _in_depth(

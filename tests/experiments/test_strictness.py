@@ -53,7 +53,9 @@ def stack(seed: int, reach: float) -> list[Constraint]:
     return constraints
 
 
-def left_of(walking: Walk, constraints: list[Constraint]) -> np.ndarray:
+def left_of(
+    walking: Walk, constraints: list[Constraint], solver: str = "prioritized_ik"
+) -> np.ndarray:
     """Return what is left of each constraint on each frame, in metres or radians."""
     frames = walking.motion.frame_count
     character = Character(
@@ -62,7 +64,7 @@ def left_of(walking: Walk, constraints: list[Constraint]) -> np.ndarray:
     edit = Edit(f"{SKELETON}/Edit", SKELETON, tuple(constraints))
     scene = Scene((character,), (edit,), np.arange(frames), np.array([0.0, 1.0, 0.0]))
     problem = Problem.of(scene)
-    solution = host().solver("prioritized_ik")().solve(problem)
+    solution = host().solver(solver)().solve(problem)
     errors = measure(problem, solution, scene.constraints)
     turning = np.array([each.unit == "deg" for each in constraints])
     return np.where(turning, np.radians(errors), errors)
@@ -117,6 +119,31 @@ def test_with_limits_a_lower_level_makes_no_higher_one_worse(reach):
     assert worse < 1e-6
     # A level may come to a nearer place on the way that one below it makes it take.
     assert apart <= 0.001 * count
+
+
+def worst_by_groups(seeds: range, reach: float, walking: Walk | None = None) -> float:
+    """Return how much worse the solver by groups makes a level by one that is added below it."""
+    worst = 0.0
+    for seed in seeds:
+        part, constraints = part_of_walk(seed, walking or FREE), stack(seed, reach)
+        before = left_of(part, constraints[:1], "ccd")
+        for count in range(2, LEVELS + 1):
+            after = left_of(part, constraints[:count], "ccd")
+            worst = max(worst, (after[:, : count - 1] - before).max())
+            before = after
+    return worst
+
+
+@pytest.mark.parametrize("reach", [0.1, 0.6])
+def test_by_groups_no_lower_level_costs_a_higher_one_a_tenth_of_a_millimetre(reach):
+    assert worst_by_groups(range(4000, 4010), reach) <= 1e-4
+    assert worst_by_groups(range(4000, 4004), reach, WALK) <= 1e-4
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("reach", [0.1, 0.3, 0.6])
+def test_by_groups_neither_over_60_stacks(reach):
+    assert worst_by_groups(range(60), reach) <= 1e-4
 
 
 def test_a_lower_level_that_changes_disturbs_no_higher_one():
