@@ -15,7 +15,8 @@ DistanceTask Edit Event Example FileError Floats ForcePlate Goal InputError Ints
 Motion NoisePattern OptionError OrientationConstraint Performance Placement PluginError PointTask
 Pose PositionConstraint Problem Reader Recording RotationTask Scene SceneError Search Session
 Skeleton Solution Solver Spline Template Term TurnGoal UsdMotionError attribute composite_point
-composite_turn configured cue detect ease hookimpl host import_motion inspect option relation solve
+composite_turn configured cue detect ease hookimpl host import_motion inspect normalize option
+relation retarget solve
 """.split()
 
 

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from usdmotion.hookspecs import hookimpl
     from usdmotion.motion import Body, Motion, Placement, Skeleton
     from usdmotion.options import configured, option
-    from usdmotion.pipeline import detect, import_motion, inspect, solve
+    from usdmotion.pipeline import detect, import_motion, inspect, normalize, retarget, solve
     from usdmotion.plugins import host
     from usdmotion.recording import Reader, Recording
     from usdmotion.scene import Edit, Scene
@@ -115,8 +115,10 @@ __all__ = [
     "host",
     "import_motion",
     "inspect",
+    "normalize",
     "option",
     "relation",
+    "retarget",
     "solve",
 ]
 
