@@ -20,7 +20,7 @@ from usdmotion.report.mapping import mapped_of
 from usdmotion.report.normalizing import travellers_of
 from usdmotion.report.planting import Pose
 from usdmotion.report.retargeting import RetargetingReport, SlideReport, slides_of
-from usdmotion.s4d import restore, stand
+from usdmotion.s4d import hinged, restore, stand
 from usdmotion.solved import SolvedScene
 from usdmotion.travelling import (
     Left,
@@ -207,6 +207,8 @@ def _standing(
     """Return a motion on a body; on another one than its own it stands on its footprints."""
     body, character = target.morphology, target.sitting.character
     motion = restore(luggage.motion, body, character.placement, up=up)
+    if not same:
+        motion = hinged(motion, body, character.body)
     prints = footprints_of(there, Meanings.of(target.path, body, up), motion.times)
     if same or not prints:
         return motion

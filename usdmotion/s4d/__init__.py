@@ -3,12 +3,13 @@
 `NormalizedMotion` is what a motion is when every length is a fraction of the body's own.
 `normalize` takes a motion off a body, `restore` puts it on one; `Morphology` is what they have to
 know of it. `blend` and `warp` mix normalized motions. `stand` puts a motion onto its footprints,
-and these onto a ground.
+and these onto a ground; `hinged` bends knees and elbows about their hinges.
 """
 
 from usdmotion.s4d.carrying import Held, carriers_of
 from usdmotion.s4d.footing import Standing, stand
 from usdmotion.s4d.footprints import Footprint
+from usdmotion.s4d.hinges import hinged
 from usdmotion.s4d.mixing import blend, warp
 from usdmotion.s4d.morphology import Limb, Morphology
 from usdmotion.s4d.normalized import NormalizedMotion
@@ -24,6 +25,7 @@ __all__ = [
     "Standing",
     "blend",
     "carriers_of",
+    "hinged",
     "normalize",
     "restore",
     "stand",
