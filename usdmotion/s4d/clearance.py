@@ -41,23 +41,26 @@ def lift(
         # From where it stood a little in the ground it leaves as it was there, and comes down so.
         missing = missing - np.maximum(between(times, stands, missing), 0.0)
     missing = np.where(stands, 0.0, np.maximum(missing, 0.0))
-    return covering(missing, times, _AROUND) * _share(stands, times)
+    return covering(missing, times, _AROUND, _AROUND) * _share(stands, times)
 
 
-def covering(values: Floats, times: Floats, width: float) -> Floats:
-    """Return a smooth curve that is nowhere below some values that are not negative.
+def covering(values: Floats, times: Floats, width: float, smooth: float) -> Floats:
+    """Return a smooth curve above some values that are not negative, nowhere below if it is wide.
 
     Args:
         values: Shape (frame_count,).
         times: Seconds, shape (frame_count,).
-        width: How long before and after a value it already, and still, rises [s].
+        width: How long before and after a value it is as high [s].
+        smooth: How long before and after that it already, and still, rises [s].
     """
     if not values.any():
         return values
     from scipy.ndimage import maximum_filter1d  # slow to import, seldom needed
 
-    half = max(round(width / float(np.median(np.diff(times)))), 1)
-    highest = maximum_filter1d(values, 2 * half + 1, mode="nearest")
+    wide, half = (
+        max(round(each / float(np.median(np.diff(times)))), 1) for each in (width, smooth)
+    )
+    highest = maximum_filter1d(values, 2 * wide + 1, mode="nearest")
     bell = np.hanning(2 * half + 3)[1:-1]
     return np.convolve(np.pad(highest, half, mode="edge"), bell / bell.sum(), mode="valid")
 

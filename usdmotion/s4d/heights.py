@@ -10,8 +10,9 @@ from usdmotion.s4d.clearance import covering
 from usdmotion.s4d.legs import Leg, Pose
 from usdmotion.s4d.turns import across
 
-_GENTLY = 0.08
-"""How long before and after legs are too short the root gives way [s]."""
+_BEFORE, _GENTLY = 0.04, 0.08
+"""How long before and after legs are too short the root is as low already, and still; and how long
+before and after that it begins to give way, and ends [s]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,6 +68,6 @@ def heights_of(
     wished = original + carried @ up
     # What legs will soon not let it do, or have just not let it do, it does not quite do either.
     short = np.maximum(wished - np.minimum(left, right), 0.0)
-    h1 = wished - covering(short, times, _GENTLY)
+    h1 = wished - covering(short, times, _BEFORE, _GENTLY)
     root = np.minimum(h1, np.minimum(left, right))
     return Heights(original, wished, h1, left, right, root)
