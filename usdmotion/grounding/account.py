@@ -37,8 +37,8 @@ class Grounding:
             )
         found = ", found by looking for them" if self.detected else ""
         told = (
-            f"{_count(self.footprints)}{found}, moved by {self.lowest * 1e3:.0f} to "
-            f"{self.highest * 1e3:.0f} mm along the up axis"
+            f"{_count(self.footprints)}{found}, moved by {round(self.lowest * 1e3)} to "
+            f"{round(self.highest * 1e3)} mm along the up axis"
         )
         if self.without_ground:
             told += (

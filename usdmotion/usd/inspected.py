@@ -59,6 +59,8 @@ class EditFacts:
     constraint_count: int
     options: tuple[str, ...]
     """Each as name=value."""
+    ground: tuple[str, ...] = ()
+    """Paths of the prims that its input is put on."""
 
 
 @dataclass(frozen=True, slots=True)

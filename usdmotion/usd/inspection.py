@@ -16,6 +16,7 @@ from usdmotion.usd.detections.noise_patterns import has_pattern
 from usdmotion.usd.detections.searches import DEFAULT_DETECTOR
 from usdmotion.usd.edits import DEFAULT_SOLVER, options_of
 from usdmotion.usd.faults import find
+from usdmotion.usd.faults.grounds import GROUND
 from usdmotion.usd.inspected import (
     ClipFacts,
     ConstraintFacts,
@@ -141,6 +142,7 @@ def _edit(prim: Usd.Prim) -> EditFacts:
         sample_rate=float(value(prim, "usdmotion:sampleRate", 0.0)),
         constraint_count=sum(1 for _ in constraint_prims(prim)),
         options=tuple(f"{name}={held}" for name, held in options_of(prim).items()),
+        ground=_targets(prim, GROUND),
     )
 
 
@@ -191,6 +193,9 @@ def _contact(prim: Usd.Prim) -> ContactFacts:
 
 
 def _target(prim: Usd.Prim, name: str) -> str:
+    return next(iter(_targets(prim, name)), "")
+
+
+def _targets(prim: Usd.Prim, name: str) -> tuple[str, ...]:
     relationship = prim.GetRelationship(name)
-    targets = relationship.GetTargets() if relationship else ()
-    return str(targets[0]) if targets else ""
+    return tuple(map(str, relationship.GetTargets())) if relationship else ()

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pxr import Sdf, Usd
 
-from usdmotion import Session, cli, pipeline
+from usdmotion import OrientationConstraint, Session, cli, pipeline
 from usdmotion.demos import terrain
 from usdmotion.demos.walker import SKELETON
 from usdmotion.errors import FileError, SceneError
@@ -151,6 +151,11 @@ def test_a_session_keeps_the_footprints_and_changes_the_rest(shot, tmp_path):
     session.write(written)
     pipeline.solve(shot, solved, frames=FRAMES)
     assert written.read_bytes() == solved.read_bytes()
+    head = "Hips/Spine/Spine1/Spine2/Neck/Head"
+    nod = OrientationConstraint(path=f"{EDIT}/Nod", skeleton=SKELETON, joint=head, priority=5)
+    session.set(nod)
+    session.change(nod.path, times=(0.5, 0.7, 1.0, 1.2))
+    assert session.report().met and len(session.report().edits[0].constraints) == 26
 
 
 def test_who_has_no_legs_that_are_known_cannot_stand(text, save, tmp_path):
