@@ -4,7 +4,8 @@ They are taken off the usual body (2005, section 4), played at the pace of a bou
 the other, and put on bodies of other heights and proportions.
 """
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -20,6 +21,8 @@ from usdmotion.s4d import Morphology, NormalizedMotion, blend, normalize, restor
 
 SECONDS = 4.0
 """How long they fight [s]."""
+COLLAR = 0.95
+"""How stiff a collar bone is."""
 UP = np.array((0.0, 1.0, 0.0))
 _FADE = 0.25
 """How long a gesture takes to come in, and to go [s]."""
@@ -64,7 +67,7 @@ BOUTS = (
         Build(1.66, 66.0, Proportions(width=1.12, arms=0.96)),
         (0.0, 0.0),
         4.0,
-        0.98,
+        0.95,
         0.30,
         1.0,
     ),
@@ -73,7 +76,7 @@ BOUTS = (
         Build(1.70, 68.0, Proportions(arms=0.97)),
         (1.8, 0.3),
         -5.0,
-        1.00,
+        0.98,
         0.55,
         0.95,
     ),
@@ -82,16 +85,16 @@ BOUTS = (
         Build(1.86, 82.0, Proportions(legs=0.95, trunk=1.06)),
         (3.7, 0.1),
         2.0,
-        1.06,
+        1.04,
         0.15,
-        1.06,
+        1.04,
     ),
     Bout(
         Build(1.40, 40.0, Proportions(legs=0.95, head=1.12)),
         Build(1.36, 38.0, Proportions(head=1.14, arms=0.97)),
         (5.4, 0.4),
         -3.0,
-        0.79,
+        0.78,
         0.42,
         0.92,
     ),
@@ -169,7 +172,13 @@ def _fighter(name: str, bout: Bout, build: Build) -> Fighter:
     space = Placement.identity(len(played.times))
     motion = restore(played, Morphology.of(skeleton, PartMap(parts)), space, up=UP)
     placed = _placed(motion, *_stand(bout, build))
-    return Fighter(name, bout, build, skeleton, body, parts, placed)
+    return Fighter(name, bout, build, skeleton, _stiff(body, parts), parts, placed)
+
+
+def _stiff(body: Body, parts: Sequence[str]) -> Body:
+    """Return a body whose collar bones give way only a little."""
+    collars = [part.endswith("sternoclavicular") for part in parts]
+    return replace(body, stiffness=np.where(collars, COLLAR, 0.0))
 
 
 def _stand(bout: Bout, build: Build) -> tuple[Floats, Floats]:
