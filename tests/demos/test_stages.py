@@ -16,7 +16,6 @@ CLOSE = 1e-5
 """The last bits differ between machines, as their linear algebra does."""
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 GIVES_WAY: dict[str, set[str]] = {
-    "above_the_table": set(),  # all is met, what eases in takes a few frames to the limit
     "activation": set(),  # all is met, a few frames still moving in what is free
     "elbow_and_wrist": {"LeftWrist"},
     "fight": {"Punch"},

@@ -38,6 +38,7 @@ NAMES = (
     "growing",
     "dance_company",
     "handstand",
+    "crawl",
 )
 """Every demo, in the order in which they explain themselves."""
 

@@ -69,9 +69,11 @@ def handstand() -> Walk:
     )
     acted = act(times, script)
     end = float(times[-1])
-    spans = {
-        "Foot": ((0.0, FEET_UP), (FEET_DOWN, end)),
-        "Hand": ((HANDS_DOWN, HANDS_UP),),
+    feet_down, hands_down = ((0.0, FEET_UP), (FEET_DOWN, end)), ((HANDS_DOWN, HANDS_UP),)
+    spans: dict[str, tuple[tuple[float, float], ...]] = {
+        f"{side}{name}": times
+        for side, _ in SIDES
+        for name, times in (("Foot", feet_down), ("Hand", hands_down))
     }
     return replace(acted, stances=_stances(acted, spans))
 
@@ -101,7 +103,20 @@ def crawl() -> Walk:
         elbows=_mirrored(0.5, -0.3, -0.7, [zeros, zeros]),
         hands=(_flat(1, zeros), _flat(-1, zeros)),
     )
-    return act(times, script)
+    acted = act(times, script)
+    stands = {
+        f"{name}{joint}": _stands(float(times[-1]), shift)
+        for joint, shifts in (("Leg", (0.0, 0.5)), ("Hand", (0.25, 0.75)))
+        for (name, _), shift in zip(SIDES, shifts, strict=True)
+    }
+    return replace(acted, stances=_stances(acted, stands))
+
+
+def _stands(end: float, shift: float) -> tuple[tuple[float, float], ...]:
+    """Return when something stands that goes on in the second half of each of its cycles [s]."""
+    starts = (_CYCLE * (cycle - shift) for cycle in range(_CYCLES + 1))
+    spans = ((max(start, 0.0), min(start + 0.5 * _CYCLE, end)) for start in starts)
+    return tuple((start, stop) for start, stop in spans if stop > start)
 
 
 def _steps(phase: Floats) -> Floats:
@@ -163,10 +178,15 @@ def _flat(side: int, away: Floats) -> Floats:
 
 
 def _stances(acted: Walk, spans: dict[str, tuple[tuple[float, float], ...]]) -> tuple[Stance, ...]:
-    """Return when hands and feet of both sides stand."""
+    """Return when joints stand, by their names."""
     return tuple(
-        Stance(side, "heel", acted.skeleton.joints[acted.joint(f"{side}{name}")], start, end)
-        for side, _ in SIDES
+        Stance(
+            next(side for side, _ in SIDES if name.startswith(side)),
+            "heel",
+            acted.skeleton.joints[acted.joint(name)],
+            start,
+            end,
+        )
         for name, times in spans.items()
         for start, end in times
     )

@@ -92,6 +92,7 @@ def held(
     skeleton: str,
     spans: Iterable[tuple[str, float, float]],
     *,
+    kind: str = "space",
     ease: float = 0.0,
 ) -> list[ContactConstraint]:
     """Return the contacts of joints that stand, each where and as it is meanwhile on average.
@@ -100,6 +101,7 @@ def held(
         acted: Who moves.
         skeleton: Path of the Skeleton.
         spans: Name of a joint, first and last moment [s].
+        kind: Of the contacts.
         ease: How long they take to come and to go [s].
     """
     motion = acted.motion
@@ -116,6 +118,7 @@ def held(
             ContactConstraint(
                 path=f"{name}{len(found) + 1:02d}",
                 skeleton=skeleton,
+                kind=kind,
                 joint=acted.skeleton.joints[joint],
                 times=keys if ease else (first, last),
                 location=_mean(positions[inside, joint]),
