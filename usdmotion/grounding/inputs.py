@@ -104,8 +104,8 @@ def _account(
         detected=detected and bool(footprints),
         without_ground=len(standing.groundless),
         made_on=standing.made_on,
-        lowest=float(rises.min(initial=0.0)),
-        highest=float(rises.max(initial=0.0)),
+        lowest=float(rises.min()),
+        highest=float(rises.max()),
         given_way=gives if gives > _MILLIMETRE else 0.0,
         given_way_time=float(scene.time_codes[frame]) if gives > _MILLIMETRE else None,
     )

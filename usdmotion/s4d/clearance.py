@@ -53,7 +53,7 @@ def covering(values: Floats, times: Floats, width: float, smooth: float) -> Floa
         width: How long before and after a value it is as high [s].
         smooth: How long before and after that it already, and still, rises [s].
     """
-    if not values.any():
+    if not values.any() or len(times) < 2:
         return values
     from scipy.ndimage import maximum_filter1d  # slow to import, seldom needed
 

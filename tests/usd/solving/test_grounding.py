@@ -104,6 +104,21 @@ def test_a_function_is_a_ground_too(changed, tmp_path):
     assert all(trace.verdict.met for trace in found.edits[0].traces)
 
 
+@pytest.mark.parametrize("frames", [(39.0, 39.0), (39.0, 40.0)])
+def test_a_single_frame_stands_on_its_ground_too(shot, tmp_path, frames):
+    told = pipeline.solve(shot, tmp_path / "edit.usda", frames=frames)
+    assert told.met and told.edits[0].ground.footprints == 1
+
+
+def test_where_there_is_no_ground_the_input_stays_and_a_note_says_so(changed, tmp_path):
+    def ends(places, times):
+        return np.where(places[..., 1] < 1.5, 0.0, np.nan)
+
+    told = pipeline.solve(changed(leveled), tmp_path / "edit.usda", frames=FRAMES, ground=ends)
+    assert told.met and 0 < told.edits[0].ground.without_ground < told.edits[0].ground.footprints
+    assert any("there is no ground under" in note for note in told.notes)
+
+
 def test_a_report_is_measured_beside_the_input_on_its_ground(shot, tmp_path):
     edit = tmp_path / "edit.usda"
     pipeline.solve(shot, edit, frames=FRAMES)
