@@ -184,3 +184,17 @@ def test_standing_feet_neither_float_nor_sink(danced):
 def test_no_joint_jumps(danced):
     _, _, dancer, source = danced
     assert dancer.fastest < source.fastest + 5.0
+
+
+@pytest.mark.parametrize("name", CLIPS)
+def test_its_own_body_gets_it_back(company, name):
+    folder, stances = company
+    shot, s4d, _ = stances[name]
+    output = folder / f"{name}_again.usda"
+    told = pipeline.retarget(s4d, shot, output)
+    before, after = Dancer.of(shot, told.skeleton), Dancer.of(output, told.skeleton)
+    same = [int(np.abs(before.times - time).argmin()) for time in after.times]
+    assert np.abs(before.times[same] - after.times).max() < 1e-6
+    assert np.linalg.norm(after.places - before.places[same], axis=-1).max() < 1e-4
+    apart = np.linalg.norm(after.turns - before.turns[same], axis=(-1, -2))
+    assert np.degrees(2.0 * np.arcsin(apart / np.sqrt(8.0))).max() < 0.1
