@@ -106,8 +106,10 @@ def test_the_json_has_these_keys_and_no_others() -> None:
         "iterations",
         "constraints",
         "cleaning",
+        "ground",
     ]
     assert edit["cleaning"] is None
+    assert edit["ground"] is None
     assert [list(row) for row in edit["constraints"]] == 2 * [
         ["path", "type", "priority", "max", "rms", "unit", "worst_time", "met"]
     ]
