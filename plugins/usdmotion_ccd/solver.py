@@ -33,7 +33,7 @@ class CyclicDescent:
         minimum=1e-3,
     )
     settled: float = option(
-        0.1,
+        1e-3,
         "Share of its squared error that an iteration has to take from a rank to go on.",
         minimum=0,
         maximum=1,
