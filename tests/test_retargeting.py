@@ -222,6 +222,20 @@ def test_without_solving_the_edit_is_there_and_the_motion_stands_on_its_footprin
         assert np.linalg.norm(places - places.mean(axis=0), axis=-1).max() < 2e-3
 
 
+def test_contacts_without_key_times_hold_all_along(folder, body):
+    source, target = folder / "still.s4d.usda", body("standing.usda", proportions=SHORT)
+    pipeline.normalize(folder / "skating.usda", source, frames=(6.0, 12.0))
+    stage = Usd.Stage.Open(str(source))
+    held = [each for each in stage.Traverse() if each.GetTypeName() == "MotionContactConstraint"]
+    assert held
+    for each in held:
+        each.GetAttribute("usdmotion:times").Clear()
+    stage.GetRootLayer().Save()
+    told = pipeline.retarget(source, target, folder / "still.walk.usda")
+    (edit,) = told.edits
+    assert len(edit.constraints) == len(held) and all(each.met for each in edit.constraints)
+
+
 def test_without_contacts_nothing_is_asked(folder, body):
     told = pipeline.retarget(
         folder / "skating.usda", body("free.usda"), folder / "free.walk.usda", contacts=False

@@ -1,5 +1,6 @@
 """Curves over time that constraints are made of."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -83,6 +84,18 @@ def between(times: Floats, keys: tuple[float, ...]) -> slice:
     start = int(np.searchsorted(times, keys[0] - SLACK, side="left"))
     stop = int(np.searchsorted(times, keys[-1] + SLACK, side="right"))
     return slice(start, max(start, stop))
+
+
+def plateau(keys: Sequence[float], span: tuple[float, float]) -> tuple[float, float]:
+    """Return the first and the last time at which `ease` is 1.
+
+    Args:
+        keys: Ascending key times; 0, 2 or 4 of them.
+        span: The first and the last time that there is, which no keys mean.
+    """
+    if not keys:
+        return span
+    return (keys[1], keys[2]) if len(keys) == 4 else (keys[0], keys[1])
 
 
 def _rise(times: Floats, start: float, end: float) -> Floats:

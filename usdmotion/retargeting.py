@@ -183,7 +183,7 @@ def _put(overlay: Overlay, luggage: Luggage, placing: Placing) -> _Put:
     there, behind = normalized.carry(needed, normalized.ways_onto(stage, target, luggage, facts))
     meanings = Meanings.of(target.path, target.morphology, facts.up)
     if not same:
-        there = with_own_feet(there, meanings, target.morphology)
+        there = with_own_feet(there, meanings, target.morphology, luggage.motion.times)
     motion = _standing(luggage, target, there, facts.up, same)
     animation = normalized.author_animation(stage, target, motion)
     edit = normalized.edit_path(stage, target, "Retargeted")

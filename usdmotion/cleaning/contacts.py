@@ -9,6 +9,7 @@ from usdmotion.arrays import Bools, Floats
 from usdmotion.cast import Cast, Character
 from usdmotion.constraints import Goal, PositionConstraint
 from usdmotion.curves import ease
+from usdmotion.humanoid import FEET
 from usdmotion.scene import Edit
 
 WINDOW = 0.2
@@ -19,7 +20,6 @@ _FADE = 0.1
 """How long before and after a rest what it takes to hold it fades [s]."""
 _SMOOTHED = 1.5
 """Over how many periods of the cutoff the places of a rest are smoothed."""
-_FEET = ("l_talocrural", "l_metatarsophalangeal", "r_talocrural", "r_metatarsophalangeal")
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +53,7 @@ def find_rests(character: Character) -> tuple[Rests, ...]:
 
     Of a character whose feet are not known there are none.
     """
-    feet = [character.parts.joint(part) for part in _FEET] if character.parts else []
+    feet = [character.parts.joint(part) for part in FEET] if character.parts else []
     found = []
     for foot in (joint for joint in feet if joint is not None):
         name = character.skeleton.joints[foot]

@@ -13,6 +13,7 @@ from usdmotion.constraints.attributes import attribute
 from usdmotion.constraints.constraint import Constraint
 from usdmotion.constraints.goal import trajectory
 from usdmotion.constraints.space import Space
+from usdmotion.curves import plateau
 from usdmotion.errors import SceneError
 from usdmotion.kernels import conjugate, from_vector, multiply, rotate
 from usdmotion.tasks import Axes, PointTask, RotationTask, Task, Term
@@ -82,6 +83,22 @@ class ContactConstraint(Constraint):
         # Where it begins or ends is between two frames.
         start, stop = asking.start - 1, asking.stop + 1
         return slice(max(min(frames.start, start), 0), min(max(frames.stop, stop), len(times)))
+
+    def held(self, times: Floats) -> tuple[float, float]:
+        """Return the first and the last time at which it is fully on [s].
+
+        Args:
+            times: Seconds of the clip, all of which it holds where it has no key times.
+        """
+        return plateau(self.times, (float(times[0]), float(times[-1])))
+
+    @property
+    def stays(self) -> bool:
+        """Whether it keeps its point in place, and is not switched off.
+
+        An example for detection does too: it is enforced like any other.
+        """
+        return all(_HELD.get(self.kind, (False,))) and bool(np.any(np.asarray(self.activity) > 0.0))
 
     def movable(self, cast: Cast) -> Iterable[int]:
         """Return every node that can move its effector or its space."""

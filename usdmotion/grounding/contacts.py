@@ -5,36 +5,23 @@ from typing import TypeGuard
 
 import numpy as np
 
+from usdmotion import travelling
 from usdmotion.arrays import Floats
 from usdmotion.cast import Character
 from usdmotion.constraints import Constraint, ContactConstraint
 from usdmotion.constraints.space import Space
+from usdmotion.humanoid import ANKLE
 from usdmotion.kernels import chordal_mean, conjugate, multiply, rotate
 from usdmotion.s4d import Footprint, Standing
-from usdmotion.s4d.footprints import ANKLE, BALL
 from usdmotion.s4d.legs import Pose
 
-_HOLDING = ("space", "line", "point")
-"""The kinds that hold a foot in place."""
 _STILL = 1e-3
 """A ground that moves less than this under a foot is at rest [m]."""
 
 
 def is_footprint(constraint: Constraint, character: Character) -> TypeGuard[ContactConstraint]:
     """Tell whether a constraint is a contact of a foot, held in place in the world."""
-    return (
-        isinstance(constraint, ContactConstraint)
-        and constraint.kind in _HOLDING
-        and _part(constraint, character)[2:] in (ANKLE, BALL)
-        and _stays(constraint.space)
-        and bool(np.any(np.asarray(constraint.activity) > 0.0))
-    )
-
-
-def holds(contact: ContactConstraint, character: Character) -> bool:
-    """Tell whether a contact holds on any frame of a motion."""
-    times = character.motion.times
-    return bool(Footprint("", *_span(contact, times), np.zeros(3)).during(times).any())
+    return travelling.is_footprint(constraint, _part(constraint, character))
 
 
 def footprint_of(contact: ContactConstraint, character: Character, pose: Pose) -> Footprint:
@@ -45,18 +32,10 @@ def footprint_of(contact: ContactConstraint, character: Character, pose: Pose) -
         character: Whose foot it is.
         pose: Where its joints are in the world.
     """
-    times = character.motion.times
-    start, end = _span(contact, times)
-    part, joint = _part(contact, character), character.skeleton.index[contact.joint]
-    space = contact.space
-    location = space.translation + rotate(space.rotation, contact.location)
-    rotation = None
-    if contact.kind == "space":
-        rotation = multiply(space.rotation, contact.orientation)
-    held = Footprint(part, start, end, location).during(times)
-    facing = _mean(pose.rotations[held, joint]) if rotation is None else rotation
-    point = np.reshape(contact.point, (-1, 3)).mean(axis=0)
-    return Footprint(part, start, end, location - rotate(facing, point), rotation)
+    times, part = character.motion.times, _part(contact, character)
+    held = travelling.frames_of(contact, times)
+    facing = _mean(pose.rotations[held, character.skeleton.index[contact.joint]])
+    return travelling.footprint_of(contact, part, times, facing)
 
 
 def on_ground(
@@ -94,16 +73,6 @@ def on_ground(
 def _part(constraint: Constraint, character: Character) -> str:
     index = character.skeleton.index.get(constraint.joint)
     return "" if index is None or character.parts is None else character.parts.parts[index]
-
-
-def _stays(space: Space) -> bool:
-    return space.joint is None and space.translation.ndim == 1 and space.rotation.ndim == 1
-
-
-def _span(contact: ContactConstraint, times: Floats) -> tuple[float, float]:
-    """Return the first and the last time at which a contact is fully on [s]."""
-    keys = contact.times or (float(times[0]), float(times[-1]))
-    return (keys[1], keys[2]) if len(keys) == 4 else (keys[0], keys[1])
 
 
 def _mean(turns: Floats) -> Floats:

@@ -9,11 +9,12 @@ from usdmotion.cast import Cast, Character
 from usdmotion.constraints import Constraint
 from usdmotion.errors import SceneError
 from usdmotion.grounding.account import Grounding
-from usdmotion.grounding.contacts import footprint_of, holds, is_footprint, on_ground
+from usdmotion.grounding.contacts import footprint_of, is_footprint, on_ground
 from usdmotion.grounding.looking import Detect, find_footprints
 from usdmotion.s4d import Footprint, Morphology, Standing, stand
 from usdmotion.s4d.legs import Pose
 from usdmotion.scene import Edit, Scene
+from usdmotion.travelling import frames_of
 
 _MILLIMETRE = 1e-3
 
@@ -62,7 +63,7 @@ def grounded(scene: Scene, detect: Detect) -> Grounded:
             continue
         given = scene.character(edit.skeleton)
         feet = [each for each in edit.constraints if is_footprint(each, given)]
-        feet = [each for each in feet if holds(each, given)]
+        feet = [each for each in feet if frames_of(each, given.motion.times).any()]
         before = _pose(given)
         footprints = [footprint_of(each, given, before) for each in feet]
         footprints = footprints or list(find_footprints(given, detect, scene.up))

@@ -7,9 +7,9 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.cast import Cast, Character
 from usdmotion.detecting import Detected, Search
+from usdmotion.humanoid import BALL, FEET
 from usdmotion.quality import ground_height
 from usdmotion.s4d import Footprint
-from usdmotion.s4d.footprints import ANKLE, BALL
 
 Detect = Callable[[Search], Detected]
 """Finds the contacts of one joint."""
@@ -31,7 +31,7 @@ def find_footprints(character: Character, detect: Detect, up: Floats) -> Iterato
         return
     cast, skeleton = Cast.of([character]), character.skeleton
     ground = ground_height(cast.positions[:, 1:], up)
-    for part in (f"{side}_{name}" for side in "lr" for name in (BALL, ANKLE)):
+    for part in FEET:
         joint = character.parts.joint(part)
         if joint is None:
             continue

@@ -7,6 +7,18 @@ itself (`usdmotion:parts`) wins over any guess.
 
 from usdmotion.humanoid.guessing import guess, pelvis, recognize
 from usdmotion.humanoid.part_map import PartMap
-from usdmotion.humanoid.parts import NECK, NEEDED, PARTS, SPINE
+from usdmotion.humanoid.parts import ANKLE, BALL, FEET, NECK, NEEDED, PARTS, SPINE
 
-__all__ = ["NECK", "NEEDED", "PARTS", "SPINE", "PartMap", "guess", "pelvis", "recognize"]
+__all__ = [
+    "ANKLE",
+    "BALL",
+    "FEET",
+    "NECK",
+    "NEEDED",
+    "PARTS",
+    "SPINE",
+    "PartMap",
+    "guess",
+    "pelvis",
+    "recognize",
+]

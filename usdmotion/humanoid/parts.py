@@ -11,6 +11,10 @@ ARM = ("sternoclavicular", "shoulder", "elbow", "radiocarpal")
 """The chain of an arm without its side: clavicle, shoulder, elbow, wrist."""
 LEG = ("hip", "knee", "talocrural", "metatarsophalangeal")
 """The chain of a leg without its side: hip, knee, ankle, toes."""
+ANKLE, BALL = LEG[2:]
+"""The joints of a foot that stand, without their side."""
+FEET = tuple(f"{side}_{part}" for side in "lr" for part in (ANKLE, BALL))
+"""Ankle and ball of the left foot, then of the right."""
 
 _TARSUS = (
     "talocalcaneonavicular",

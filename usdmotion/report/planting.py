@@ -204,8 +204,8 @@ def _away(times: Floats, edit: Edit) -> Bools:
     """Return the frames that are far from every contact, shape (frame_count,)."""
     away = np.ones(len(times), dtype=np.bool_)
     for each in edit.constraints:
-        if isinstance(each, ContactConstraint) and each.times:
-            first, last = (each.times[1], each.times[2]) if len(each.times) > 2 else each.times[:2]
+        if isinstance(each, ContactConstraint):
+            first, last = each.held(times)
             away &= (times < first - AWAY) | (times > last + AWAY)
     return away
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from usdmotion.arrays import Bools, Floats
 from usdmotion.errors import SceneError
+from usdmotion.humanoid import ANKLE
 from usdmotion.s4d.measures import Measures
 
 Held = tuple[str, float, float]
@@ -19,7 +20,7 @@ _THICKNESS = {"knee": 0.06, "radiocarpal": 0.04, "elbow": 0.045}
 _PASSING = 0.5
 """How long it takes until others carry [s]."""
 _ANKLES, _KNEES, _WRISTS, _ELBOWS = (
-    (f"l_{joint}", f"r_{joint}") for joint in ("talocrural", "knee", "radiocarpal", "elbow")
+    (f"l_{joint}", f"r_{joint}") for joint in (ANKLE, "knee", "radiocarpal", "elbow")
 )
 
 
@@ -58,7 +59,7 @@ _EVERY = (*_ANKLES, *_KNEES, *_WRISTS, *_ELBOWS)
 def _carrier_of(part: str) -> str:
     side, _, joint = part.partition("_")
     if "tars" in joint:
-        return f"{side}_talocrural"
+        return f"{side}_{ANKLE}"
     return f"{side}_radiocarpal" if "carp" in joint else part
 
 
@@ -135,7 +136,7 @@ def _carrier(measures: Measures, part: str) -> tuple[Floats, Floats]:
     arm, leg = (0, 1) if side == "l" else (2, 3)
     upper_arm, forearm = measures.limbs[:, arm].T
     thigh = measures.limbs[:, leg, 0]
-    if joint == "talocrural":
+    if joint == ANKLE:
         return measures.ankle_height, measures.leg
     height = _THICKNESS[joint] * measures.leg
     if joint == "knee":

@@ -7,12 +7,13 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.ground import Ground
+from usdmotion.humanoid import ANKLE, BALL
 from usdmotion.kernels import conjugate, forward, multiply, rotate
 from usdmotion.motion import Body, Motion, Placement
 from usdmotion.quality import speed
 from usdmotion.s4d.ankles import Foot, held_back
 from usdmotion.s4d.clearance import lift
-from usdmotion.s4d.footprints import ANKLE, BALL, Footprint, Stance, from_heel_strike, stances_of
+from usdmotion.s4d.footprints import Footprint, Stance, from_heel_strike, stances_of
 from usdmotion.s4d.heights import Heights, heights_of
 from usdmotion.s4d.legs import Leg, Pose, bent
 from usdmotion.s4d.morphology import Morphology

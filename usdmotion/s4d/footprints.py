@@ -6,10 +6,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from usdmotion.arrays import Bools, Floats, seal
+from usdmotion.humanoid import ANKLE, BALL
 from usdmotion.kernels import slerp
 
-ANKLE, BALL = "talocrural", "metatarsophalangeal"
-"""The joints of a foot that leave footprints, without their side."""
 _STRIKE = 0.25
 """A ball comes down this soon after its heel, if the heel belongs to its stance [s]."""
 _SLACK = 1e-6

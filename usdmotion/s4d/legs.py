@@ -6,9 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.humanoid.parts import LEG
+from usdmotion.humanoid.parts import ANKLE, BALL, LEG
 from usdmotion.kernels import conjugate, multiply, rotate
-from usdmotion.s4d.footprints import ANKLE, BALL
 from usdmotion.s4d.morphology import Morphology
 from usdmotion.s4d.soles import Sole
 from usdmotion.s4d.turns import across, swing, unit

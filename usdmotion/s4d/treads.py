@@ -7,9 +7,10 @@ import numpy as np
 
 from usdmotion.arrays import Bools, Floats
 from usdmotion.ground import Ground
+from usdmotion.humanoid import ANKLE
 from usdmotion.kernels import conjugate, multiply, rotate
 from usdmotion.s4d.ankles import Foot
-from usdmotion.s4d.footprints import ANKLE, Footprint, Stance, between
+from usdmotion.s4d.footprints import Footprint, Stance, between
 from usdmotion.s4d.legs import Leg, Pose
 from usdmotion.s4d.soles import lie
 

@@ -6,7 +6,14 @@ say of unit and frame says what is a length, in whose frame it is, and whose ori
 
 from usdmotion.travelling.carrying import Traveller, bodies, carried
 from usdmotion.travelling.feet import with_own_feet
-from usdmotion.travelling.footprints import contacts_of_feet, footprints_of, held_by
+from usdmotion.travelling.footprints import (
+    contacts_of_feet,
+    footprint_of,
+    footprints_of,
+    frames_of,
+    held_by,
+    is_footprint,
+)
 from usdmotion.travelling.luggage import Left, Luggage
 from usdmotion.travelling.meanings import Meanings
 from usdmotion.travelling.settings import Settings
@@ -24,7 +31,10 @@ __all__ = [
     "bodies",
     "carried",
     "contacts_of_feet",
+    "footprint_of",
     "footprints_of",
+    "frames_of",
     "held_by",
+    "is_footprint",
     "with_own_feet",
 ]

@@ -7,17 +7,16 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.constraints import ContactConstraint
+from usdmotion.humanoid import ANKLE, BALL
 from usdmotion.kernels import conjugate, forward, rotate
 from usdmotion.s4d import Morphology
 from usdmotion.travelling.carrying import Traveller
 from usdmotion.travelling.footprints import contacts_of_feet
 from usdmotion.travelling.meanings import Meanings
 
-_ANKLE, _BALL = "talocrural", "metatarsophalangeal"
-
 
 def with_own_feet(
-    travellers: Sequence[Traveller], meanings: Meanings, body: Morphology
+    travellers: Sequence[Traveller], meanings: Meanings, body: Morphology, times: Floats
 ) -> tuple[Traveller, ...]:
     """Return constraints whose ankles are as far from their balls as the feet of a body are long.
 
@@ -28,20 +27,21 @@ def with_own_feet(
         travellers: Constraints in metres, on the body.
         meanings: What parts mean on it.
         body: The body.
+        times: Seconds of the frames.
     """
     feet = list(contacts_of_feet(travellers, meanings))
     moved: dict[str, ContactConstraint] = {}
     for name, part, ankle in feet:
         side, _, joint = part.partition("_")
-        if joint != _ANKLE or not _is_whole(ankle):
+        if joint != ANKLE or not _is_whole(ankle):
             continue
         balls = [
             ball
             for _, other, ball in feet
-            if other == f"{side}_{_BALL}" and _is_whole(ball) and _together(ankle, ball) > 0.0
+            if other == f"{side}_{BALL}" and _is_whole(ball) and _together(ankle, ball, times) > 0.0
         ]
         if balls:
-            ball = max(balls, key=lambda each: _together(ankle, each))
+            ball = max(balls, key=lambda each: _together(ankle, each, times))
             moved[name] = _by_ball(ankle, ball, _way(body, side))
     return tuple(
         replace(each, constraint=moved[each.name]) if each.name in moved else each
@@ -51,14 +51,13 @@ def with_own_feet(
 
 def _is_whole(contact: ContactConstraint) -> bool:
     """Tell whether a contact says where its joint is, and how it is turned."""
-    return contact.kind == "space" and contact.point.ndim == 1 and contact.space.joint is None
+    at_rest = contact.point.ndim == 1 and contact.space.joint is None
+    return contact.kind == "space" and contact.stays and at_rest
 
 
-def _together(one: ContactConstraint, other: ContactConstraint) -> float:
+def _together(one: ContactConstraint, other: ContactConstraint, times: Floats) -> float:
     """Return for how long two contacts hold at once [s]."""
-    (start, end), (first, last) = (
-        (each.times[1:3] if len(each.times) > 2 else each.times) for each in (one, other)
-    )
+    (start, end), (first, last) = one.held(times), other.held(times)
     return min(end, last) - max(start, first)
 
 
@@ -75,6 +74,6 @@ def _way(body: Morphology, side: str) -> Floats:
     _, orientations = forward(
         skeleton.parents, skeleton.rest_translations[None], skeleton.rest_rotations[None]
     )
-    ankle, ball = (body.joint(f"{side}_{part}") for part in (_ANKLE, _BALL))
+    ankle, ball = (body.joint(f"{side}_{part}") for part in (ANKLE, BALL))
     way = body.rest_positions[ball] - body.rest_positions[ankle]
     return np.asarray(rotate(conjugate(orientations[0, ankle]), way))

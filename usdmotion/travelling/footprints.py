@@ -1,17 +1,64 @@
-"""Contacts of feet that have come to a body, as the footprints that it is to stand on."""
+"""Contacts of feet, as the footprints that a body is to stand on."""
 
 from collections.abc import Iterator, Sequence
+from typing import TypeGuard
 
-from usdmotion.arrays import Floats
-from usdmotion.constraints import ContactConstraint
-from usdmotion.kernels import rotate
+import numpy as np
+
+from usdmotion.arrays import Bools, Floats
+from usdmotion.constraints import Constraint, ContactConstraint
+from usdmotion.humanoid import FEET
+from usdmotion.kernels import multiply, rotate
 from usdmotion.s4d import Footprint, Held
 from usdmotion.travelling.carrying import Traveller
 from usdmotion.travelling.meanings import Meanings
 
-_FEET = tuple(f"{side}_{part}" for side in "lr" for part in ("talocrural", "metatarsophalangeal"))
-_SLACK = 1e-6
-"""Times closer than this are the same [s]."""
+
+def is_footprint(constraint: Constraint, part: str) -> TypeGuard[ContactConstraint]:
+    """Tell whether a constraint is a contact that holds a foot in place in the world.
+
+    Args:
+        constraint: Of any kind.
+        part: H-Anim name of its joint, "" for none.
+    """
+    return (
+        part in FEET
+        and isinstance(constraint, ContactConstraint)
+        and constraint.stays
+        and constraint.space.joint is None
+        and constraint.space.translation.ndim == 1
+        and constraint.space.rotation.ndim == 1
+    )
+
+
+def frames_of(contact: ContactConstraint, times: Floats) -> Bools:
+    """Return on which frames the footprint of a contact is there, shape (frame_count,)."""
+    return Footprint("", *contact.held(times), np.zeros(3)).during(times)
+
+
+def footprint_of(
+    contact: ContactConstraint, part: str, times: Floats, facing: Floats | None = None
+) -> Footprint:
+    """Return the footprint that a contact of a foot is.
+
+    Args:
+        contact: One that is a footprint; of a point that goes about in its joint, the mean counts.
+        part: H-Anim name of its joint.
+        times: Seconds of the frames.
+        facing: World orientation of the joint meanwhile, xyzw, where the contact lets it turn; None
+            takes what the contact says that it was.
+    """
+    space = contact.space
+    said = multiply(space.rotation, contact.orientation)
+    turned = contact.kind == "space"
+    location = space.translation + rotate(space.rotation, contact.location)
+    point = np.reshape(contact.point, (-1, 3)).mean(axis=0)
+    return Footprint(
+        part,
+        *contact.held(times),
+        location - rotate(said if turned or facing is None else facing, point),
+        said if turned else None,
+    )
 
 
 def contacts_of_feet(
@@ -19,22 +66,25 @@ def contacts_of_feet(
 ) -> Iterator[tuple[str, str, ContactConstraint]]:
     """Yield name, part and constraint of the contacts of ankles and balls that are on a body."""
     for each in travellers:
-        constraint = each.constraint
-        joint = body.named(constraint.joint) if constraint.joint else None
-        part = "" if joint is None else body.parts[joint]
-        if isinstance(constraint, ContactConstraint) and part in _FEET:
-            yield each.name, part, constraint
+        part = _part(each.constraint, body)
+        if isinstance(each.constraint, ContactConstraint) and part in FEET:
+            yield each.name, part, each.constraint
 
 
-def held_by(travellers: Sequence[Traveller], body: Meanings) -> list[Held]:
-    """Return the parts of a body that contacts hold, and when."""
+def held_by(travellers: Sequence[Traveller], body: Meanings, times: Floats) -> list[Held]:
+    """Return the parts of a body that contacts keep in place, in the world or a prop, and when.
+
+    Args:
+        travellers: Constraints on the body.
+        body: The body.
+        times: Seconds of the frames.
+    """
     held = []
     for each in travellers:
-        contact = each.constraint
-        joint = body.named(contact.joint) if contact.joint else None
-        part = "" if joint is None else body.parts[joint]
-        if isinstance(contact, ContactConstraint) and part and contact.times:
-            held.append((part, *_ends(contact)))
+        contact, part = each.constraint, _part(each.constraint, body)
+        if part and isinstance(contact, ContactConstraint) and contact.stays:
+            if contact.space.joint is None:
+                held.append((part, *contact.held(times)))
     return held
 
 
@@ -49,42 +99,19 @@ def footprints_of(
     Args:
         travellers: Constraints in metres, on the body.
         body: The body.
-        times: Seconds of the frames; what is fully on at other times only leaves no footprint.
+        times: Seconds of the frames; what is on at other times only leaves no footprint.
     """
     props = {each.name for each in travellers if each.props.get("")}
     return tuple(
-        _footprint(part, contact)
+        footprint_of(contact, part, times)
         for name, part, contact in contacts_of_feet(travellers, body)
-        if name not in props and _says_where(contact) and _is_on(contact, times)
+        if name not in props
+        and is_footprint(contact, part)
+        and frames_of(contact, times).any()
+        and (contact.kind == "space" or not contact.point.any())
     )
 
 
-def _says_where(contact: ContactConstraint) -> bool:
-    held = contact.kind == "space" or (
-        contact.kind in ("line", "point") and not contact.point.any()
-    )
-    still = contact.point.ndim == 1 and contact.space.joint is None
-    return held and still and bool(contact.times) and contact.activity is not None
-
-
-def _is_on(contact: ContactConstraint, times: Floats) -> bool:
-    start, end = _ends(contact)
-    return bool(start <= times[-1] + _SLACK and end >= times[0] - _SLACK)
-
-
-def _footprint(part: str, contact: ContactConstraint) -> Footprint:
-    start, end = _ends(contact)
-    turned = contact.kind == "space"
-    return Footprint(
-        part=part,
-        start=start,
-        end=end,
-        place=contact.location - rotate(contact.orientation, contact.point),
-        rotation=contact.orientation if turned else None,
-    )
-
-
-def _ends(contact: ContactConstraint) -> tuple[float, float]:
-    """Return when a contact that has times is fully on, first and last [s]."""
-    times = contact.times[1:3] if len(contact.times) > 2 else contact.times
-    return times[0], times[-1]
+def _part(constraint: Constraint, body: Meanings) -> str:
+    joint = body.named(constraint.joint) if constraint.joint else None
+    return "" if joint is None else body.parts[joint]

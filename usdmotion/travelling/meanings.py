@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from usdmotion.arrays import Floats, seal
-from usdmotion.humanoid import NECK, SPINE
+from usdmotion.humanoid import ANKLE, BALL, NECK, SPINE
 from usdmotion.s4d import Morphology
 from usdmotion.s4d.turns import swing
 
@@ -51,8 +51,8 @@ class Meanings:
         """
         lengths = morphology.measures
         heights = {
-            "talocrural": float(lengths.ankle_height[0]),
-            "metatarsophalangeal": float(lengths.ball_height[0]),
+            ANKLE: float(lengths.ankle_height[0]),
+            BALL: float(lengths.ball_height[0]),
         }
         return cls(
             path=path,

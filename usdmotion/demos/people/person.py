@@ -9,6 +9,7 @@ from usdmotion.arrays import Floats, Ints
 from usdmotion.demos.body import USUAL, Proportions, assembled, proportioned, sole
 from usdmotion.demos.people.joints import segments
 from usdmotion.demos.people.namings import renamed
+from usdmotion.humanoid import FEET
 from usdmotion.kernels import conjugate, from_vector, multiply, rotate
 from usdmotion.motion import Body, Skeleton
 
@@ -75,8 +76,7 @@ def person(
     skeleton, body, parts = assembled(renamed(grown, naming), height, mass)
     under = sole(height, proportions)
     ends = height * np.array([np.subtract(s.end, s.place) for s in grown])
-    feet = [f"{side}_{part}" for side in "lr" for part in ("talocrural", "metatarsophalangeal")]
-    joints = np.array([parts.index(part) for part in feet])
+    joints = np.array([parts.index(part) for part in FEET])
     points = np.array([under.heel, under.ball, under.heel, under.ball])
     made = Person(skeleton, body, parts, np.arange(len(parts)), ends, joints, points)
     made = _resting(made, *RESTS[rest])

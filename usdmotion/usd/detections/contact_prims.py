@@ -6,6 +6,7 @@ import numpy as np
 from pxr import Sdf, Usd
 
 from usdmotion.arrays import Floats
+from usdmotion.curves import plateau
 from usdmotion.usd.detections.keeping import Interval, Known, State
 from usdmotion.usd.relations import floats, is_a, value
 
@@ -33,18 +34,11 @@ def known_contact(prim: Usd.Prim, span: tuple[float, float]) -> Known:
     """
     state = _state(prim)
     kind = str(value(prim, "usdmotion:kind", "space"))
-    held = Interval(kind, *interval_of(floats(value(prim, "usdmotion:times", ())), span))
+    held = Interval(kind, *plateau(floats(value(prim, "usdmotion:times", ())), span))
     example = floats(_memory_of(prim).get("example", ()))
     if state == "template" and len(example) == 2 and _as_written(prim, ("times",)):
         held = Interval(kind, example[0], example[1])
     return Known(prim.GetName(), state, held)
-
-
-def interval_of(times: list[float], span: tuple[float, float]) -> tuple[float, float]:
-    """Return the interval in which something is fully on, from its key times."""
-    if len(times) == 4:
-        return times[1], times[2]
-    return (times[0], times[1]) if len(times) == 2 else span
 
 
 def _memory_of(prim: Usd.Prim) -> dict[str, Any]:

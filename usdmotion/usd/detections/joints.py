@@ -3,11 +3,8 @@
 from collections.abc import Sequence
 
 from usdmotion.errors import SceneError
-from usdmotion.humanoid import PartMap
+from usdmotion.humanoid import FEET, PartMap
 from usdmotion.usd.relations import suggestion
-
-FEET = tuple(f"{side}_{part}" for side in "lr" for part in ("talocrural", "metatarsophalangeal"))
-"""The joints of feet that stand: ankles and balls."""
 
 
 def leaf_of(token: str) -> str:

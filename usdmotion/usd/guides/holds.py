@@ -6,10 +6,11 @@ import numpy as np
 from pxr import Usd
 
 from usdmotion.arrays import Floats
+from usdmotion.curves import plateau
 from usdmotion.errors import SceneError
 from usdmotion.guides import Held
 from usdmotion.kernels import multiply, rotate
-from usdmotion.usd.detections.contact_prims import interval_of, says_where
+from usdmotion.usd.detections.contact_prims import says_where
 from usdmotion.usd.detections.entries import SAMPLE
 from usdmotion.usd.detections.trajectories import Trajectory
 from usdmotion.usd.relations import floats, target, value
@@ -72,7 +73,7 @@ def _key_times(prim: Usd.Prim, trajectory: Trajectory) -> tuple[float, float, fl
     """Return when a contact begins to ease in, is fully on, begins to ease out, and is off."""
     times = floats(value(prim, "usdmotion:times", ()))
     span = float(trajectory.time_codes[0]), float(trajectory.time_codes[-1])
-    start, end = interval_of(times, span)
+    start, end = plateau(times, span)
     return (times[0], start, end, times[-1]) if times else (start, start, end, end)
 
 

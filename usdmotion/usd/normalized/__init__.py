@@ -5,7 +5,6 @@ from usdmotion.usd.normalized.gathering import gather
 from usdmotion.usd.normalized.motions import author_normalized, read_normalized
 from usdmotion.usd.normalized.placing import place_travellers
 from usdmotion.usd.normalized.recorded import (
-    FEET,
     Recorded,
     carry,
     feet_of,
@@ -35,7 +34,6 @@ from usdmotion.usd.normalized.targets import (
 from usdmotion.usd.normalized.travellers import author_travellers, read_travellers
 
 __all__ = [
-    "FEET",
     "Recorded",
     "Subject",
     "Target",

@@ -8,6 +8,7 @@ from pxr import Usd
 from usdmotion.arrays import Floats
 from usdmotion.cast import Character
 from usdmotion.constraints import Constraint, ContactConstraint
+from usdmotion.humanoid import FEET
 from usdmotion.s4d import Morphology, normalize
 from usdmotion.travelling import (
     Left,
@@ -28,9 +29,6 @@ from usdmotion.usd.normalized.subjects import Subject, bodies_of, morphology_of,
 from usdmotion.usd.provenance import hash_of
 from usdmotion.usd.shot import Facts
 from usdmotion.usd.stages import read_facts
-
-FEET = ("talocrural", "metatarsophalangeal")
-"""The joints of feet that stand, without their side: ankle and ball."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +81,7 @@ def read_recorded(
             character.placement,
             body,
             up=facts.up,
-            held=held_by(on_body, meanings),
+            held=held_by(on_body, meanings, character.motion.times),
         ),
         first=float(codes[0]) / facts.time_codes_per_second,
         travellers=travellers,
@@ -113,7 +111,7 @@ def carry(
 
 def feet_of(body: Morphology) -> tuple[str, ...]:
     """Return the tokens of the ankles and balls of a body."""
-    feet = [body.parts.joint(f"{side}_{part}") for side in "lr" for part in FEET]
+    feet = [body.parts.joint(part) for part in FEET]
     return tuple(body.skeleton.joints[joint] for joint in feet if joint is not None)
 
 
