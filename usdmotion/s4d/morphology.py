@@ -1,6 +1,6 @@
 """Everything there is to know of a body, to take a motion off it and to put one on."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -14,6 +14,9 @@ from usdmotion.s4d.anatomy import Rest, basis, rest_pose
 from usdmotion.s4d.measures import Measures
 from usdmotion.s4d.places import LIMBS, ROOT, TOPS
 from usdmotion.s4d.stance import Stance
+
+_AS_AT_REST = 1e-4
+"""A joint this near to where it is at rest is there [m]."""
 
 
 @dataclass(frozen=True)
@@ -74,7 +77,9 @@ class Morphology:
         Args:
             skeleton: Its joints, standing at rest along any axis; arms and legs may be anywhere.
             parts: Which joint is which part.
-            poses: How it moves, which is looked at where its rest pose is no posture of a body.
+            poses: How it moves. Its lengths are those that it usually has there, and its posture is
+                looked at where its rest pose is none of a body. Without poses, what its motions
+                have in other lengths than the rest pose is taken for something that moves.
             who: How to call the skeleton in an error.
 
         Raises:
@@ -91,7 +96,24 @@ class Morphology:
                 )
             rest = Rest(skeleton, parts, Stance.seen(skeleton, parts, poses))
         frames = multiply(conjugate(rest.orientations), rest.frames())
-        return cls(rest.skeleton, parts, rest.axes, frames)
+        body = cls(rest.skeleton, parts, rest.axes, frames)
+        return body if poses is None else body._as_in(poses, who)
+
+    def _as_in(self, poses: Motion, who: str) -> "Morphology":
+        """Return the body with the lengths that it usually has in a motion."""
+        if not poses.frame_count:
+            return self
+        shape = self.skeleton
+        usual = np.median(poses.translations, axis=0)
+        away = np.linalg.norm(usual - shape.rest_translations, axis=-1) > _AS_AT_REST
+        away[list(shape.chain(self.joint(ROOT)))] = False  # those carry it from place to place
+        if not away.any():
+            return self
+        built = replace(
+            shape, rest_translations=np.where(away[:, None], usual, shape.rest_translations)
+        )
+        _refuse(built, self.parts, who)
+        return replace(self, skeleton=built)
 
     def joint(self, part: str) -> int:
         """Return the joint that is a part.

@@ -56,8 +56,8 @@ class NormalizedMotion:
     offset_joints: tuple[str, ...] = ()
     """Tokens of the joints that are translated in their parent's frame, the root apart."""
     offsets: Floats = field(default_factory=lambda: np.zeros((0, 0, 3)))
-    """Translation of each away from rest over leg length, in the axes of what carries it, shape
-    (F, O, 3)."""
+    """Translation of each away from where it usually is over leg length, in the axes of what
+    carries it, shape (F, O, 3)."""
 
     def on(self, frames: slice | Ints) -> "NormalizedMotion":
         """Return the motion on some of its frames."""

@@ -35,7 +35,8 @@ def normalize(
     Args:
         motion: Of the body's skeleton.
         placement: Where the skeleton's space is, on the same frames.
-        morphology: The body.
+        morphology: The body, with the lengths that it has in the motion (`Morphology.of` with
+            poses): what is elsewhere than those say moves, and does so on every body.
         up: The direction away from the ground in the world, shape (3,).
         held: Its contacts: which part, from when to when [s]. They tell what carries the root; a
             motion without any stands on its feet.

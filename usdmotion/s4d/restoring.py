@@ -58,11 +58,7 @@ def _translations(
     rest = skeleton.rest_translations if growing is None else growing
     local = np.array(np.broadcast_to(rest, (frames, len(skeleton.joints), 3)))
     for joint, theirs in _matches(normalized.offset_joints, body):
-        offsets = normalized.offsets[:, theirs]
-        if skeleton.joints[joint] != normalized.offset_joints[theirs]:
-            # What does not move is how the other body is built, and none of this one's business.
-            offsets = offsets - np.median(offsets, axis=0)
-        away = rotate(body.frames_above[joint], offsets)
+        away = rotate(body.frames_above[joint], normalized.offsets[:, theirs])
         local[:, joint] += measures.leg[:, None] * away
     return local
 

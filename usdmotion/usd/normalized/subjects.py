@@ -10,7 +10,6 @@ from usdmotion.errors import SceneError
 from usdmotion.humanoid import guess
 from usdmotion.motion import Motion
 from usdmotion.s4d import Morphology
-from usdmotion.s4d.anatomy import Rest
 from usdmotion.usd.characters import Sitting, read_character
 from usdmotion.usd.clips import own_times
 from usdmotion.usd.concerns import concerns
@@ -112,8 +111,7 @@ def morphology_of(skeleton: Usd.Prim, sitting: Sitting) -> Morphology:
     shape, who = sitting.character.skeleton, f"<{skeleton.GetPath()}>"
     given = parts_of(skeleton, len(shape.joints))
     parts = sitting.character.parts or guess(shape, given=given, who=who)
-    poses = None if Rest(shape, parts).stands else _poses(skeleton)
-    return Morphology.of(shape, parts, poses=poses, who=who)
+    return Morphology.of(shape, parts, poses=_poses(skeleton), who=who)
 
 
 def _poses(skeleton: Usd.Prim) -> Motion | None:
