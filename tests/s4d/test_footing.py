@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from usdmotion.demos import gait
+from usdmotion.ground import FunctionGround, MeshGround, PlaneGround
 from usdmotion.humanoid import PartMap
 from usdmotion.kernels import conjugate, forward, multiply, to_vector
 from usdmotion.motion import Motion, Placement
@@ -121,3 +122,70 @@ def test_a_footprint_may_say_how_the_foot_is_turned(walker):
     foot = Footprint("l_talocrural", start, end, place, turned)
     _, there = walker.world(walker.stand([*walker.footprints, foot]).motion)
     assert np.abs(to_vector(multiply(conjugate(turned), there[flat, ankle]))).max() < 1e-6
+
+
+DEPTH, RISE = 0.5, 0.15
+"""Of the steps of stairs [m]."""
+
+
+def staircase(missing=()):
+    """Return treads of stairs along z, one below the origin, without some of them."""
+    corners, triangles = [], []
+    for step in (each for each in range(-4, 12) if each not in missing):
+        near, far, y = step * DEPTH, (step + 1) * DEPTH, max(step, 0) * RISE
+        first = len(corners)
+        corners += [(x, y, z) for x in (-3.0, 3.0) for z in (near, far)]
+        triangles += [(first, first + 1, first + 2), (first + 1, first + 3, first + 2)]
+    return MeshGround(np.array(corners), np.array(triangles), UP)
+
+
+def over(walker, motion, footprints):
+    """Return how high balls are while they stand [m], one a footprint."""
+    places = walker.world(motion)[0][..., 1]
+    there = [(each.during(walker.motion.times), walker.joint(each.part)) for each in footprints]
+    return np.array([places[frames, joint].mean() for frames, joint in there])
+
+
+def test_what_was_made_on_stairs_comes_down_to_level_ground(walker):
+    """A walk goes up a slope, and back on the plane each of its footprints is on the plane."""
+    slope = FunctionGround(lambda places, _: 0.4 * np.maximum(places[..., 1], 0.0), UP)
+    climbing = walker.stand(walker.footprints, slope).motion
+    heights = over(walker, climbing, walker.footprints)
+    assert np.ptp(heights) > 0.5
+    climbed = [
+        Footprint(each.part, each.start, each.end, [each.place[0], height, each.place[2]])
+        for each, height in zip(walker.footprints, heights, strict=True)
+    ]
+    still = Placement.identity(walker.motion.frame_count)
+    level = PlaneGround(np.zeros(3), UP, UP)
+    down = stand(climbing, still, walker.body, climbed, level, up=UP)
+    usual = walker.body.standing_heights[1]
+    np.testing.assert_allclose(over(walker, down.motion, climbed), usual, atol=1e-3)
+
+
+def test_a_step_that_is_missing_leaves_one_footprint_without_ground(walker):
+    treads = [int(each.place[2] // DEPTH) for each in walker.footprints]
+    missing = sorted(set(treads))[-3]
+    beyond = [
+        each for each, tread in zip(walker.footprints, treads, strict=True) if tread > missing
+    ]
+    assert beyond and missing * RISE > 0.3
+    standing = walker.stand(walker.footprints, staircase(missing=(missing,)))
+    assert standing.groundless
+    assert not set(map(id, standing.groundless)) & set(map(id, beyond))
+
+
+def test_one_frame_of_a_leg_that_is_too_short_stands_too(walker):
+    frame = slice(20, 21)
+    first = Motion(
+        walker.motion.times[frame],
+        walker.motion.translations[frame],
+        walker.motion.rotations[frame],
+    )
+    apart = [
+        Footprint(f"{side}_metatarsophalangeal", 0.0, 9.0, np.array([x, y, 0.5]))
+        for side, x, y in (("l", 0.1, 0.05), ("r", -0.1, -0.9))
+    ]
+    standing = stand(first, Placement.identity(1), walker.body, apart, up=UP)
+    assert standing.heights.wished[0] > standing.heights.root[0]
+    assert np.isfinite(standing.motion.rotations).all()

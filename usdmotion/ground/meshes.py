@@ -27,8 +27,6 @@ class MeshGround:
     """The direction away from the ground, shape (3,)."""
     times: Floats = field(default_factory=lambda: np.zeros(1))
     """Seconds of the samples, shape (sample_count,)."""
-    step: float = STEP
-    """The highest surface under a point counts that is not above it by more than this [m]."""
 
     def __post_init__(self) -> None:
         points = np.asarray(self.points, dtype=np.float64)
@@ -43,13 +41,13 @@ class MeshGround:
     def under(self, points: Floats, times: Floats) -> tuple[Floats, Floats]:
         """Return heights [m] and normals, as `Ground` has it."""
         if len(self.times) == 1:
-            heights, normals = self._still.under(points.reshape(-1, 3), self.step)
+            heights, normals = self._still.under(points.reshape(-1, 3))
             return heights.reshape(points.shape[:-1]), normals.reshape(points.shape)
         heights, normals = np.empty(points.shape[:-1]), np.empty(points.shape)
         for frame, time in enumerate(times):
             placed = at_times(self.points, self.times, np.array([time]))[0]
             surface = _Surface(placed, self.triangles, self.up)
-            heights[frame], normals[frame] = surface.under(points[frame], self.step)
+            heights[frame], normals[frame] = surface.under(points[frame])
         return heights, normals
 
     @cached_property
@@ -87,11 +85,11 @@ class _Surface:
         self._inside = np.empty(int(self._starts[-1]), dtype=np.int64)
         fill_cells(*grid, self._starts[:-1].copy(), self._inside)
 
-    def under(self, points: Floats, step: float) -> tuple[Floats, Floats]:
+    def under(self, points: Floats) -> tuple[Floats, Floats]:
         """(P, 3) to (P,), (P, 3): heights and normals; up where there is no ground."""
         heights, triangles = np.empty(len(points)), np.empty(len(points), dtype=np.int64)
         grid = self._corners, self._low, self._size, self._shape, self._starts, self._inside
-        surface_under(*grid, points @ self._axes.T, step, heights, triangles)
+        surface_under(*grid, points @ self._axes.T, STEP, heights, triangles)
         # One more, straight up, for −1.
         normals = np.concatenate([self._normals, self._axes[2:]])[triangles]
         return heights, normals

@@ -36,7 +36,7 @@ class Standing:
     treads: Mapping[str, Tread]
     """The way of each foot over the ground, by its side, "l" or "r"."""
     made_on: float
-    """Height of the ground that the motion was made on, along the up axis [m]."""
+    """Height of the ground that the motion was made on, where lowest, along the up axis [m]."""
 
     @property
     def groundless(self) -> tuple[Footprint, ...]:
@@ -53,7 +53,6 @@ def stand(
     *,
     up: Floats,
     body: Body | None = None,
-    made_on: float | None = None,
 ) -> Standing:
     """Return a motion that stands on its footprints, and these on the ground.
 
@@ -68,18 +67,17 @@ def stand(
         motion: Of the skeleton's joints.
         placement: The skeleton's space in the world.
         morphology: The body.
-        footprints: Where feet stand on the ground that the motion was made on; the height of what
-            stands on something of its own there is kept above the ground here.
+        footprints: Where feet stand on the ground that the motion was made on. If most are on one
+            level, that is the ground, and the height of what stands on something of its own there
+            is kept above the ground here; else, as on stairs, each is on the ground itself.
         ground: What to stand on; None is the ground that the motion was made on.
         up: The direction away from the ground, shape (3,).
         body: Limits of the ankles; None, or without limits, are those of most people.
-        made_on: Height of the ground that the motion was made on, along the up axis [m]; None takes
-            0, or where soles are if that is farther away than rest poses are wrong.
     """
     pose = _pose(motion, placement, morphology)
     legs = [Leg.of(morphology, side) for side in "lr"]
     at_rest = dict(zip((ANKLE, BALL), morphology.standing_heights, strict=True))
-    level = Level.of(footprints, at_rest, up, made_on)
+    level = Level.of(footprints, at_rest, up)
     stances = [_stances(pose, leg, footprints, level, motion.times, up) for leg in legs]
     treads = treads_of(pose, legs, stances, level, ground, times=motion.times, up=up)
     feet = [

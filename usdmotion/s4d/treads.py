@@ -61,6 +61,8 @@ class Level:
     """Along the up axis [m]."""
     over: dict[str, float]
     """How high ankles, and balls, are over a sole that is on the ground [m], by their names."""
+    flat: bool = True
+    """Whether it is level; what is higher than the rest of it then stands on something."""
 
     @classmethod
     def of(
@@ -68,24 +70,25 @@ class Level:
         footprints: Sequence[Footprint],
         at_rest: dict[str, float],
         up: Floats,
-        made_on: float | None,
     ) -> "Level":
-        """Return it as footprints tell it.
+        """Return it as footprints tell it: 0, or where soles are if that is farther away than rest
+        poses are wrong. Where most footprints are at other heights than the middle one, as on
+        stairs, it goes up and down with them, from the lowest.
 
         Args:
             footprints: Of both feet.
             at_rest: How high ankles and balls are over a sole on the ground at rest [m].
             up: The direction away from the ground.
-            made_on: Height of the ground [m]; None takes 0, or where soles are if that is farther
-                away than rest poses are wrong.
         """
         found: dict[str, list[float]] = {name: [] for name in at_rest}
         for each in (one for one in footprints if one.part[2:] in found):
             found[each.part[2:]].append(float(each.place @ up))
         soles = [z - at_rest[name] for name, heights in found.items() for z in heights]
+        beside = [z - np.median(heights) for heights in found.values() for z in heights]
+        if beside and np.mean(np.abs(beside) <= _SAME) < 0.5:
+            return cls(min(soles), dict(at_rest), flat=False)
         middle = float(np.median(soles)) if soles else 0.0
-        if made_on is None:
-            made_on = 0.0 if abs(middle) <= _UNSURE else middle
+        made_on = 0.0 if abs(middle) <= _UNSURE else middle
         over = {
             name: max(float(np.median(heights)) - made_on, 0.0) if heights else at_rest[name]
             for name, heights in found.items()
@@ -99,6 +102,8 @@ class Level:
         on that ground.
         """
         usual = self.over[footprint.part[2:]]
+        if not self.flat:
+            return usual
         own = float(footprint.place @ up) - self.height
         return usual if abs(own - usual) <= _SAME else own
 
@@ -132,7 +137,8 @@ def treads_of(
     for _, foot, stance in order:
         one = _laid(pose, legs[foot], stance, level, ground, risen, times, up)
         laid[foot].append(one)
-        risen = float(one.rises[-1])
+        if one.found:  # over a hole a foot does not forget how high it has climbed
+            risen = float(one.rises[-1])
     return [
         _tread(pose.rotations[:, leg.ankle], own, -level.over[leg.stands_by] * up, times)
         for leg, own in zip(legs, laid, strict=True)
