@@ -44,6 +44,17 @@ def test_one_motion_becomes_another_without_a_jump(body: Morphology) -> None:
     assert steps(put(blended, body).rotations).max() < 1.5 * fastest
 
 
+def test_the_sign_of_a_quaternion_stays_when_another_motion_comes_to_count_most(
+    body: Morphology,
+) -> None:
+    one, other = (taken(moving(body, seed=seed, size=1.5), body) for seed in (3, 4))
+    share = np.linspace(0.0, 1.0, 61)
+    blended = blend((one, other), np.stack([1.0 - share, share], axis=1))
+    for name in ("limb_frames", "segment_rotations", "root_heading", "root_orientation"):
+        turns = getattr(blended, name)
+        assert np.sum(turns[1:] * turns[:-1], axis=-1).min() >= 0.0, name
+
+
 def test_a_knee_goes_through_straight_where_it_bends_the_other_way(body: Morphology) -> None:
     """Half way between a knee bent by 6° and one overstretched by 6° it is straight."""
     knee = body.limbs[1].middle

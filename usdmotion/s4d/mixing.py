@@ -13,6 +13,7 @@ from usdmotion.s4d.normalized import NormalizedMotion
 from usdmotion.s4d.places import ENDS, TOPS
 from usdmotion.s4d.postures import require_whole
 from usdmotion.s4d.steadiness import Steady
+from usdmotion.s4d.turns import continuous
 
 _WHOLE = 1e-6
 """How far shares may be beside adding up to 1."""
@@ -40,7 +41,7 @@ def blend(motions: Sequence[NormalizedMotion], shares: Floats) -> NormalizedMoti
         ends=mean.turning([each.ends for each in steady]),
     ).told(first.limbs)
     rotations = mean.turning([each.segment_rotations for each in alike])
-    rotations[:, _places_of_ends(first)] = ends
+    rotations[:, _places_of_ends(first)] = continuous(ends)
 
     def turning(name: str) -> Floats:
         return mean.turning([getattr(each, name) for each in alike])
@@ -50,7 +51,7 @@ def blend(motions: Sequence[NormalizedMotion], shares: Floats) -> NormalizedMoti
 
     return replace(
         first,
-        limb_frames=frames,
+        limb_frames=continuous(frames),
         limb_lengths=lengths,
         limb_twists=twists,
         segment_rotations=rotations,
@@ -102,7 +103,8 @@ class _Mean:
         dots = (np.sum(each * most, axis=-1, keepdims=True) for each in values)
         near = [np.where(dot < 0.0, -q, q) for dot, q in zip(dots, values, strict=True)]
         mean = self.linear(near)
-        return np.asarray(mean / np.linalg.norm(mean, axis=-1, keepdims=True))
+        # The one that counts most changes on the way, and with it the sign.
+        return continuous(mean / np.linalg.norm(mean, axis=-1, keepdims=True))
 
 
 def _steady(motion: NormalizedMotion) -> Steady:
