@@ -51,7 +51,6 @@ def test_feet_stand_and_do_not_sink(takes, times, name):
     for foot in ("LeftFoot", "RightFoot"):
         usual = height(takes["Acrobat"], foot)
         assert np.abs(height(takes[name], foot) - usual)[down].max() <= 0.005
-        assert (height(takes[name], foot) - usual).min() >= -0.005 or not down.all()
     every = takes[name].world[:, :, 3, 1]
     assert every.min() >= takes["Acrobat"].world[:, :, 3, 1].min() - 0.005
 

@@ -65,7 +65,7 @@ def _above(part: str) -> list[str]:
 
 
 def _base(side: str, own: str) -> list[str]:
-    """Return what carries the first joint of a digit, a bone of hand or foot, or a face."""
+    """Return what carries the first joint of a digit, a joint of palm or instep, or a face."""
     if "tars" in own or own.startswith(("cuneo", "calcaneus", "talocalcaneo")):
         return [f"{side}_{LEG[2]}"]
     if "carp" in own:
