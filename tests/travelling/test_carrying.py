@@ -200,6 +200,15 @@ def test_what_is_given_in_a_prop_stays_in_metres():
     assert out(Traveller("Any", placed, {"A": "/World/Box"})).constraint.goals == (PLACED,)
 
 
+def test_axes_of_a_prop_and_of_the_world_stay_behind_where_the_up_axis_changes():
+    both = a(PositionConstraint, goals=(PLACED, replace(PLACED, path="B")), axes="xy")
+    with_prop = Traveller("Any", both, {"A": "/World/Box"})
+    assert out(with_prop).constraint.axes == "xy"
+    with pytest.raises(StaysBehind, match="axes 'xy' of a prop and of the world"):
+        out(with_prop, body(turn=Z_UP))
+    assert out(Traveller("Any", both), body(turn=Z_UP)).constraint.axes == "xz"
+
+
 def test_recruited_vertebrae_go_with_the_nearest_that_were_there():
     spine = ("humanoid_root", "vl5", "vl3", "vt12", "vt6", "skullbase", "l_talocrural")
     other = body(parts=spine, joints=tuple("abcdefg"), frames=np.tile((0, 0, 0, 1.0), (7, 1)))

@@ -24,10 +24,13 @@ class Grounding:
     [m]."""
     given_way_time: float | None
     """The time code of that, None where it is not."""
+    staying: tuple[str, ...] = ()
+    """Paths of the contacts that do not go along: of hands and knees, and what slides."""
 
     def sentence(self, edit: str) -> str:
         """Return what a person is told of it."""
-        return f"<{edit}> starts from an input on the ground: {self._footprints()}{self._root()}"
+        told = f"{self._footprints()}{self._root()}{self._staying()}"
+        return f"<{edit}> starts from an input on the ground: {told}"
 
     def _footprints(self) -> str:
         if not self.footprints:
@@ -53,6 +56,17 @@ class Grounding:
         return (
             f"; legs are too short at {self.given_way_time:g}, where the body gives way by "
             f"{self.given_way * 1e3:.0f} mm"
+        )
+
+    def _staying(self) -> str:
+        if not self.staying:
+            return ""
+        names = [f"<{path}>" for path in self.staying[:3]]
+        more = len(self.staying) - len(names)
+        named = ", ".join(names) + (f" and {more} more" if more else "")
+        return (
+            f"; {named} hold on to where they were, "
+            "as only ankles and balls of feet that are held in place go along"
         )
 
 

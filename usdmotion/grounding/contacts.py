@@ -1,5 +1,6 @@
 """Contacts of feet as footprints, and as they are when these are on the ground."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TypeGuard
 
@@ -22,6 +23,19 @@ _STILL = 1e-3
 def is_footprint(constraint: Constraint, character: Character) -> TypeGuard[ContactConstraint]:
     """Tell whether a constraint is a contact of a foot, held in place in the world."""
     return travelling.is_footprint(constraint, _part(constraint, character))
+
+
+def staying(constraints: Sequence[Constraint], character: Character) -> tuple[str, ...]:
+    """Return the paths of contacts in the world that hold on some frame, and are no footprints."""
+    return tuple(
+        each.path
+        for each in constraints
+        if isinstance(each, ContactConstraint)
+        and each.space.joint is None
+        and np.any(np.asarray(each.activity) > 0.0)
+        and not is_footprint(each, character)
+        and travelling.frames_of(each, character.motion.times).any()
+    )
 
 
 def footprint_of(contact: ContactConstraint, character: Character, pose: Pose) -> Footprint:

@@ -9,7 +9,7 @@ from usdmotion.cast import Cast, Character
 from usdmotion.constraints import Constraint
 from usdmotion.errors import SceneError
 from usdmotion.grounding.account import Grounding
-from usdmotion.grounding.contacts import footprint_of, is_footprint, on_ground
+from usdmotion.grounding.contacts import footprint_of, is_footprint, on_ground, staying
 from usdmotion.grounding.looking import Detect, find_footprints
 from usdmotion.s4d import Footprint, Morphology, Standing, stand
 from usdmotion.s4d.legs import Pose
@@ -72,7 +72,9 @@ def grounded(scene: Scene, detect: Detect) -> Grounded:
         after = _pose(there)
         contacts |= {each.path: on_ground(each, given, before, after, standing) for each in feet}
         characters[given.path] = there
-        accounts[edit.path] = _account(footprints, not feet, standing, scene)
+        account = _account(footprints, not feet, standing, scene)
+        left = staying(edit.constraints, given)
+        accounts[edit.path] = replace(account, staying=left)
     if not accounts:
         return Grounded(scene)
     cast = tuple(characters.get(each.path, each) for each in scene.characters)

@@ -179,14 +179,19 @@ class _Walk:
             for goal in self.constraint.goals
             if not self.props.get(goal.path.rsplit("/", 1)[-1])
         ]
-        if set(letters) >= set("xyz") or len(placed) < len(self.constraint.goals):
+        if set(letters) >= set("xyz") or not placed:
             return letters
         for goal in placed:
             if goal.joint is not None or not np.allclose(np.abs(goal.axes[..., 3]), 1.0):
                 raise StaysBehind(
                     f"it holds the axes '{letters}' of a frame that lies otherwise in other bodies"
                 )
-        return self.own.axes(letters)
+        turned = self.own.axes(letters)
+        if turned != letters and len(placed) < len(self.constraint.goals):
+            raise StaysBehind(
+                f"it holds the axes '{letters}' of a prop and of the world, whose up axis changes"
+            )
+        return turned
 
     def _in_space(self, each: Attribute, value: Any) -> Any:
         """Return places, directions or orientations in the space of the constraint."""

@@ -65,6 +65,36 @@ def test_the_contacts_of_feet_go_along_onto_the_ground_and_are_judged_there(shot
     assert json.loads(told.to_json())["edits"][0]["ground"]["made_on"] == 0.0
 
 
+def test_contacts_of_hands_and_what_slides_stay_and_are_named(changed, tmp_path):
+    def hold(stage):
+        toe = next(
+            prim
+            for prim in stage.GetPrimAtPath(EDIT).GetChildren()
+            if "Toe" in prim.GetAttribute("usdmotion:joint").Get()
+        )
+        hand = next(
+            str(joint)
+            for joint in stage.GetPrimAtPath(SKELETON).GetAttribute("joints").Get()
+            if str(joint).endswith("/LeftHand")
+        )
+        for name, joint, kind in (
+            ("Hand", hand, "point"),
+            ("Slide", toe.GetAttribute("usdmotion:joint").Get(), "slide"),
+        ):
+            held = stage.DefinePrim(f"{EDIT}/{name}", "MotionContactConstraint")
+            held.GetAttribute("usdmotion:joint").Set(joint)
+            held.GetAttribute("usdmotion:kind").Set(kind)
+            held.GetAttribute("usdmotion:priority").Set(9)
+
+    told = pipeline.solve(changed(hold), tmp_path / "edit.usda", frames=FRAMES)
+    (edit,) = told.edits
+    assert set(edit.ground.staying) == {f"{EDIT}/Hand", f"{EDIT}/Slide"}
+    assert edit.ground.footprints == 10
+    assert (
+        sum(f"<{EDIT}/Hand>, <{EDIT}/Slide> hold on to where" in each for each in told.notes) == 1
+    )
+
+
 def test_feet_are_looked_for_where_no_contact_says_when_they_stand(changed, shot, tmp_path):
     found = pipeline.solve(changed(without_contacts), tmp_path / "found.usda", frames=FRAMES)
     (edit,) = found.edits
