@@ -33,6 +33,8 @@ _STANDING = 0.1
 """Share of the frames, the slowest and lowest ones, in which a foot is taken to stand."""
 _UPRIGHT = np.cos(np.radians(40.0))
 """And how far the shank above it may lean."""
+_ALIKE = np.radians(5.0)
+"""How much more one foot may be pitched than the other as it stands; more is on tiptoe."""
 _RIGHT_ANGLES = Rotation.create_group("O").as_quat()
 
 
@@ -124,8 +126,30 @@ class _Posed:
             stands = self._stands(side, up)
             if stands.any():
                 turns = conjugate(self.orientations[stands, ankle])
-                found[ankle] = rotate(turns, up).mean(axis=0)
-        return found
+                found[ankle] = unit(np.median(rotate(turns, up), axis=0))
+        return self._flat(found)
+
+    def _flat(self, soles: dict[int, Floats]) -> dict[int, Floats]:
+        """Return soles of which one that was seen on tiptoe only is pitched as the other foot's.
+
+        Bodies are built alike on both sides, and who stands with one heel in the air all the time
+        is told from who stands flat by the other foot alone.
+        """
+        ways: dict[int, Floats] = {}
+        for side in "lr":
+            ankle, ball = self.joint(f"{side}_{LEG[2]}"), self.parts.joint(f"{side}_{LEG[3]}")
+            if ball is not None and ankle in soles:
+                way = self.positions[:, ball] - self.positions[:, ankle]
+                way = rotate(conjugate(self.orientations[:, ankle]), way)
+                ways[ankle] = unit(way.mean(axis=0))
+        pitches = {ankle: np.arcsin(-way @ soles[ankle]) for ankle, way in ways.items()}
+        if len(pitches) < 2 or np.ptp(list(pitches.values())) <= _ALIKE:
+            return soles
+        flat = min(pitches.values())
+        return {
+            ankle: np.cos(flat) * unit(across(soles[ankle], way)) - np.sin(flat) * way
+            for ankle, way in ways.items()
+        }
 
     def _stands(self, side: str, up: Floats) -> Bools:
         """Return on which frames a foot is slowest and lowest of those with an upright leg."""
