@@ -183,3 +183,38 @@ def test_a_stage_without_a_skeleton_is_refused(tmp_path):
         pipeline.normalize(dice, tmp_path / "out.usda")
     with pytest.raises(FileError, match="there is no such file"):
         pipeline.normalize(tmp_path / "absent.usda", tmp_path / "out.usda")
+
+
+@pytest.fixture(scope="module")
+def whole(folder):
+    """Return a file with the normalized motion of somebody who walks."""
+    path = folder / "whole.s4d.usda"
+    pipeline.normalize(folder / "skating.usda", path, contacts=False)
+    return path
+
+
+@pytest.mark.parametrize(
+    ("name", "changed", "wrong"),
+    [
+        ("rootPosition", None, "has no usdmotion:rootPosition; normalize"),
+        ("rootHeading", None, "has no usdmotion:rootHeading; normalize"),
+        ("limbTwists", None, "has no usdmotion:limbTwists; normalize"),
+        ("limbs", None, "has no usdmotion:limbs; normalize"),
+        ("limbs", ["l_hip"] * 4, "has no l_shoulder, r_shoulder, r_hip among its limbs"),
+        ("segments", ["vl5"], "has no .*skullbase among its segments"),
+        ("spine", [(0, 0, 0)], "has 1 points in its spine for"),
+    ],
+)
+def test_a_motion_that_is_not_whole_is_refused_with_its_own_file_and_prim(
+    whole, folder, tmp_path, name, changed, wrong
+):
+    stage, broken = Usd.Stage.Open(str(whole)), tmp_path / "broken.s4d.usda"
+    prim = stage.GetDefaultPrim()
+    attribute = prim.GetAttribute(f"usdmotion:{name}")
+    codes = attribute.GetTimeSamples()[:1]
+    prim.RemoveProperty(attribute.GetName()) if changed is None else attribute.Set(changed, *codes)
+    stage.GetRootLayer().Export(str(broken))
+    with pytest.raises(SceneError, match=f"^{broken}: </Walker> {wrong}"):
+        pipeline.retarget(broken, folder / "skating.usda", tmp_path / "out.usda")
+    assert "/Walker" in {fault.path for fault in pipeline.inspect(broken).faults}
+    assert not (tmp_path / "out.usda").exists()

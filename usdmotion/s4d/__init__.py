@@ -14,6 +14,7 @@ from usdmotion.s4d.mixing import blend, warp
 from usdmotion.s4d.morphology import Limb, Morphology
 from usdmotion.s4d.normalized import NormalizedMotion
 from usdmotion.s4d.normalizing import normalize
+from usdmotion.s4d.postures import lacking
 from usdmotion.s4d.restoring import restore
 
 __all__ = [
@@ -26,6 +27,7 @@ __all__ = [
     "blend",
     "carriers_of",
     "hinged",
+    "lacking",
     "normalize",
     "restore",
     "stand",

@@ -154,18 +154,33 @@ def require_whole(normalized: NormalizedMotion) -> None:
     Raises:
         SceneError: It names what is missing.
     """
-    needed = [*TOPS, *ENDS, _HEAD]
-    missing = [part for part in needed if part not in (*normalized.limbs, *normalized.segments)]
-    vertebrae = [part for part in normalized.segments if part in SPINE]
-    if missing or not vertebrae:
-        raise SceneError(
-            f"a normalized motion has no {', '.join(missing or SPINE[:1])}; normalize it again"
+    what = lacking(normalized.limbs, normalized.segments, normalized.spine.shape[1])
+    if what:
+        raise SceneError(f"a normalized motion {what}")
+
+
+def lacking(limbs: Sequence[str], segments: Sequence[str], points: int) -> str:
+    """Return what a normalized motion lacks that every body has, as a predicate; "" for nothing.
+
+    Args:
+        limbs: Its limbs by their top joints.
+        segments: Its segments.
+        points: How many points its spine has.
+    """
+    missing = [part for part in TOPS if part not in limbs]
+    if missing:
+        return f"has no {', '.join(missing)} among its limbs; normalize the motion again"
+    vertebrae = [part for part in segments if part in SPINE]
+    missing = [part for part in (*ENDS, _HEAD) if part not in segments]
+    missing += [] if vertebrae else list(SPINE[:1])
+    if missing:
+        return f"has no {', '.join(missing)} among its segments; normalize the motion again"
+    if points != len(vertebrae) + 2:
+        return (
+            f"has {points} points in its spine for {len(vertebrae)} vertebrae; it needs two more "
+            "than these, normalize the motion again"
         )
-    if normalized.spine.shape[1] != len(vertebrae) + 2:
-        raise SceneError(
-            f"a normalized motion has {normalized.spine.shape[1]} points of the spine for "
-            f"{len(vertebrae)} vertebrae; it needs two more than these"
-        )
+    return ""
 
 
 def _phalanges(row: Sequence[str]) -> Sequence[str]:

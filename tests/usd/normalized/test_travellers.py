@@ -21,12 +21,8 @@ from usdmotion.constraints import (
     built_in,
 )
 from usdmotion.travelling import Settings, Traveller
-from usdmotion.usd.normalized import (
-    author_settings,
-    author_travellers,
-    read_settings,
-    read_travellers,
-)
+from usdmotion.usd.normalized.settings import author_settings, read_settings
+from usdmotion.usd.normalized.travellers import author_travellers, read_travellers
 from usdmotion.usd.stages import read_facts
 
 CODES = np.array([1.0, 2.0, 3.0, 5.0])

@@ -21,6 +21,7 @@ from usdmotion.usd.faults.kinds import (
     find_missing_regions,
     find_zero_axes,
 )
+from usdmotion.usd.faults.normalized import find_partial_motions
 from usdmotion.usd.faults.recruits import find_broken_recruiting
 from usdmotion.usd.faults.skeletons import (
     find_resting_animations,
@@ -71,6 +72,7 @@ CHECKS = (
     Check("Effector", CONSTRAINT, find_missing_effectors),
     Check("JointTokens", CONSTRAINT + GOAL + DETECTION, find_unknown_joints),
     Check("KeyTimes", CONSTRAINT + GOAL, find_wrong_key_times),
+    Check("Normalized", NORMALIZED, find_partial_motions),
     Check("Arrays", CONSTRAINT + NORMALIZED, find_wrong_arrays),
     Check("Trajectory", ("UsdMotionTrajectoryConstraint",), find_wrong_trajectories),
     Check("Distance", ("UsdMotionDistanceConstraint",), find_empty_distances),

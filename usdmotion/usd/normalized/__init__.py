@@ -1,7 +1,6 @@
 """Normalized motions and what travels with them, as prims: files, where they come from and go."""
 
 from usdmotion.usd.normalized.files import normalized_prims, read_luggage, write_normalized
-from usdmotion.usd.normalized.gathering import gather
 from usdmotion.usd.normalized.motions import author_normalized, read_normalized
 from usdmotion.usd.normalized.placing import place_travellers
 from usdmotion.usd.normalized.recorded import (
@@ -11,16 +10,12 @@ from usdmotion.usd.normalized.recorded import (
     fingerprint,
     read_recorded,
 )
-from usdmotion.usd.normalized.settings import author_settings, read_settings
 from usdmotion.usd.normalized.subjects import (
     Subject,
-    bodies_of,
     find_subjects,
     in_edit_of,
-    morphology_of,
     name_of,
     notes_of,
-    read_sittings,
 )
 from usdmotion.usd.normalized.targets import (
     Target,
@@ -31,7 +26,6 @@ from usdmotion.usd.normalized.targets import (
     set_range,
     ways_onto,
 )
-from usdmotion.usd.normalized.travellers import author_travellers, read_travellers
 
 __all__ = [
     "Recorded",
@@ -39,18 +33,13 @@ __all__ = [
     "Target",
     "author_animation",
     "author_normalized",
-    "author_settings",
-    "author_travellers",
-    "bodies_of",
     "carry",
     "edit_path",
     "feet_of",
     "find_subjects",
     "find_target",
     "fingerprint",
-    "gather",
     "in_edit_of",
-    "morphology_of",
     "name_of",
     "normalized_prims",
     "notes_of",
@@ -58,10 +47,7 @@ __all__ = [
     "read_luggage",
     "read_normalized",
     "read_recorded",
-    "read_settings",
-    "read_sittings",
     "read_target",
-    "read_travellers",
     "set_range",
     "ways_onto",
     "write_normalized",

@@ -11,6 +11,7 @@ from usdmotion.constraints import Constraint
 from usdmotion.errors import SceneError
 from usdmotion.travelling import Left, Luggage
 from usdmotion.usd.clips import SLACK
+from usdmotion.usd.concerns import concerns
 from usdmotion.usd.layers import new_layer, require_writable, save
 from usdmotion.usd.normalized.motions import author_normalized, read_normalized
 from usdmotion.usd.normalized.settings import author_settings, read_settings
@@ -18,7 +19,7 @@ from usdmotion.usd.normalized.travellers import author_travellers, read_travelle
 from usdmotion.usd.provenance import own_version
 from usdmotion.usd.relations import is_a
 from usdmotion.usd.shot import Facts
-from usdmotion.usd.stages import read_facts
+from usdmotion.usd.stages import read_facts, refuse
 
 _MEMORY = "usdmotion"
 """Where a prim keeps what nobody but ourselves needs to know."""
@@ -84,6 +85,7 @@ def read_luggage(
         SceneError: There are several, or not the named one, or it is not whole.
     """
     prim, facts = _prim(stage, named), read_facts(stage)
+    refuse(concerns(prim))
     motion, codes = read_normalized(prim, facts)
     if frames is not None:
         codes = codes[(codes >= frames[0] - SLACK) & (codes <= frames[1] + SLACK)]
