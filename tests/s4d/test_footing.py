@@ -124,6 +124,20 @@ def test_a_footprint_may_say_how_the_foot_is_turned(walker):
     assert np.abs(to_vector(multiply(conjugate(turned), there[flat, ankle]))).max() < 1e-6
 
 
+def test_a_footprint_of_a_ball_may_say_how_the_toes_are_turned(walker):
+    first, *rest = walker.footprints
+    held, ball = first.during(walker.motion.times), walker.joint(first.part)
+    _, before = walker.world(walker.motion)
+    around = np.array([0.0, np.sin(0.1), 0.0, np.cos(0.1)])
+    turned = multiply(around, before[held, ball][0])
+    told = Footprint(first.part, first.start, first.end, first.place, turned)
+    _, there = walker.world(walker.stand([told, *rest]).motion)
+    assert np.abs(to_vector(multiply(conjugate(turned), there[held, ball]))).max() < 1e-6
+    ankle = walker.joint(first.part.replace("metatarsophalangeal", "talocrural"))
+    still = multiply(conjugate(before[:, ankle]), there[:, ankle])
+    assert np.abs(to_vector(still)).max() < 1e-9
+
+
 DEPTH, RISE = 0.5, 0.15
 """Of the steps of stairs [m]."""
 

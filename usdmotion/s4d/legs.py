@@ -8,6 +8,7 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.humanoid.parts import ANKLE, BALL, LEG
 from usdmotion.kernels import conjugate, multiply, rotate
+from usdmotion.s4d.limbs import middle_of
 from usdmotion.s4d.morphology import Morphology
 from usdmotion.s4d.soles import Sole
 from usdmotion.s4d.turns import across, swing, unit
@@ -148,8 +149,7 @@ def bent(leg: Leg, pose: Pose, hip: Floats, ankle: Floats) -> tuple[Floats, Floa
     a, b, _ = leg.lengths(pose)
     most = np.maximum(a + b, np.linalg.norm(before, axis=1))
     d = np.clip(np.linalg.norm(ankle - hip, axis=1), np.abs(a - b) + 1e-6, most - 1e-12)
-    along = (a**2 - b**2 + d**2) / (2.0 * d)  # 2005, section 8
-    aside = np.sqrt(np.maximum(a**2 - along**2, 0.0))
+    along, aside = middle_of(a, b, d)
     was = across(upper, z)
     front = rotate(multiply(pose.rotations[:, leg.hip], leg.thigh), FRONT)
     hinge = unit(across(rotate(carried, front), z))

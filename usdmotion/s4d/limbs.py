@@ -62,11 +62,22 @@ def unfold(
     return first, second
 
 
+def middle_of(upper: Floats, lower: Floats, reach: Floats) -> tuple[Floats, Floats]:
+    """Return where the middle joint of a limb is (2005, section 8): along the line, and beside it.
+
+    Args:
+        upper: Length of the upper segment [m].
+        lower: Length of the lower one.
+        reach: Distance from top joint to end.
+    """
+    along = (upper**2 - lower**2 + reach**2) / (2.0 * reach)
+    return along, np.sqrt(np.maximum(upper**2 - along**2, 0.0))
+
+
 def _segments(frame: Floats, reach: Floats, upper: Floats, lower: Floats) -> tuple[Floats, Floats]:
     """Return both segments in the half-plane of a frame: x of it is the hinge (2005, section 8)."""
     reach = np.clip(reach, np.maximum(np.abs(upper - lower), 1e-9), upper + lower)
-    z = (upper**2 - lower**2 + reach**2) / (2.0 * reach)
-    y = np.sqrt(np.maximum(upper**2 - z**2, 0.0))
+    z, y = middle_of(upper, lower, reach)
     return (
         multiply(frame, about(X, -np.arctan2(y, z))),
         multiply(frame, about(X, np.arctan2(y, reach - z))),

@@ -7,7 +7,7 @@ import numpy as np
 
 from usdmotion.arrays import Bools, Floats
 from usdmotion.ground import Ground
-from usdmotion.humanoid import ANKLE
+from usdmotion.humanoid import ANKLE, BALL
 from usdmotion.kernels import conjugate, multiply, rotate
 from usdmotion.s4d.ankles import Foot
 from usdmotion.s4d.footprints import Footprint, Stance, between
@@ -33,8 +33,10 @@ class Tread:
     """By how much it is moved [m], shape (frame_count, 3)."""
     turned: Floats
     """By what it is turned so that it stands as its footprints say, xyzw, (frame_count, 4)."""
+    toes: Floats
+    """By what its toes are, xyzw, shape (frame_count, 4)."""
     sloped: Floats
-    """By what it is turned after that, to lie on the ground, xyzw, (frame_count, 4)."""
+    """By what both are turned after that, to lie on the ground, xyzw, (frame_count, 4)."""
     contact: Floats
     """Where it touches the ground, seen from the joint that it stands on, before it is turned [m],
     shape (frame_count, 3)."""
@@ -50,7 +52,8 @@ class Tread:
         # It lies down about the place where it touches the ground.
         held = stands_on + self.drawn + self.contact - rotate(self.sloped, self.contact)
         ankle = held + rotate(turn, ankle - stands_on)
-        return Foot(ankle, multiply(turn, pose.rotations[:, leg.ankle]), turn)
+        toes = multiply(self.sloped, self.toes)
+        return Foot(ankle, multiply(turn, pose.rotations[:, leg.ankle]), toes)
 
 
 @dataclass(frozen=True)
@@ -140,7 +143,7 @@ def treads_of(
         if one.found:  # over a hole a foot does not forget how high it has climbed
             risen = float(one.rises[-1])
     return [
-        _tread(pose.rotations[:, leg.ankle], own, -level.over[leg.stands_by] * up, times)
+        _tread(pose, leg, own, -level.over[leg.stands_by] * up, times)
         for leg, own in zip(legs, laid, strict=True)
     ]
 
@@ -197,11 +200,12 @@ def _laid(
     return _Laid(stance, drawn + rises[:, None] * up, lying.turns, below, rises, True)
 
 
-def _tread(turns: Floats, laid: Sequence[_Laid], below: Floats, times: Floats) -> Tread:
+def _tread(pose: Pose, leg: Leg, laid: Sequence[_Laid], below: Floats, times: Floats) -> Tread:
     """Return the way of one foot.
 
     Args:
-        turns: How its ankle is turned in the motion, xyzw, shape (frame_count, 4).
+        pose: The motion in the world.
+        leg: Which.
         laid: Its stances.
         below: Where its sole is as it swings, seen from the joint that it stands on [m].
         times: Seconds, shape (frame_count,).
@@ -216,21 +220,36 @@ def _tread(turns: Floats, laid: Sequence[_Laid], below: Floats, times: Floats) -
         sloped[each.stance.frames] = each.sloped
         off[each.stance.frames] = each.contact - below
         rises[each.stance.frames] = each.rises
-    said, turned = np.zeros(count, dtype=np.bool_), np.tile(_NONE, (count, 1))
-    for footprint in (one for each in laid for one in each.stance.turned):
-        held = footprint.during(times)
-        said |= held
-        if footprint.rotation is not None:
-            turned[held] = multiply(footprint.rotation, conjugate(turns[held]))
     if stands.any():
         drawn, sloped, off, rises = (
             between(times, stands, each) for each in (drawn, sloped, off, rises)
         )
-    if said.any():
-        turned = between(times, said, turned)
+    ankles = [one for each in laid for one in each.stance.turned]
+    balls = [each.stance.footprint for each in laid if each.stance.footprint.part.endswith(BALL)]
+    turned = _as_told(ankles, pose.rotations[:, leg.ankle], times)
+    toes = _as_told(balls, pose.rotations[:, leg.stands_on], times)
+    turned = np.tile(_NONE, (count, 1)) if turned is None else turned
+    toes = turned if toes is None or leg.ball is None else toes
     drawn = _settled(drawn, laid, times)
     groundless = tuple(each.stance.footprint for each in laid if not each.found)
-    return Tread(stands, drawn, turned, sloped, below + off, rises, groundless)
+    return Tread(stands, drawn, turned, toes, sloped, below + off, rises, groundless)
+
+
+def _as_told(footprints: Sequence[Footprint], turns: Floats, times: Floats) -> Floats | None:
+    """Return by what a joint is turned to be as its footprints say; None if they say nothing.
+
+    Args:
+        footprints: Those of the joint.
+        turns: How it is turned in the motion, xyzw, shape (frame_count, 4).
+        times: Seconds, shape (frame_count,).
+    """
+    said, turned = np.zeros(len(times), dtype=np.bool_), np.tile(_NONE, (len(times), 1))
+    for each in footprints:
+        if each.rotation is not None:
+            held = each.during(times)
+            said |= held
+            turned[held] = multiply(each.rotation, conjugate(turns[held]))
+    return between(times, said, turned) if said.any() else None
 
 
 def _settled(drawn: Floats, laid: Sequence[_Laid], times: Floats) -> Floats:
