@@ -11,12 +11,12 @@ import usdmotion.testing
 
 NAMES = """
 AimTask Axes Body Bools Capture Cast Character Cluster Constraint Contact Demand Detected Detector
-DistanceTask Edit Event Example FileError Floats ForcePlate Goal InputError Ints Joint Live Markers
-Motion NoisePattern OptionError OrientationConstraint Performance Placement PluginError PointTask
-Pose PositionConstraint Problem Reader Recording RotationTask Scene SceneError Search Session
-Skeleton Solution Solver Spline Template Term TurnGoal UsdMotionError attribute composite_point
-composite_turn configured cue detect ease hookimpl host import_motion inspect normalize option
-relation retarget solve
+DistanceTask Edit Event Example FileError Floats ForcePlate Goal Ground InputError Ints Joint Live
+Markers Motion NoisePattern NormalizedMotion OptionError OrientationConstraint Performance Placement
+PluginError PointTask Pose PositionConstraint Problem Reader Recording RotationTask Scene SceneError
+Search Session Skeleton Solution Solver Spline Template Term TurnGoal UsdMotionError attribute
+composite_point composite_turn configured cue detect ease hookimpl host import_motion inspect
+normalize option relation retarget solve
 """.split()
 
 

@@ -31,12 +31,14 @@ if TYPE_CHECKING:
         SceneError,
         UsdMotionError,
     )
+    from usdmotion.ground import Ground
     from usdmotion.hookspecs import hookimpl
     from usdmotion.motion import Body, Motion, Placement, Skeleton
     from usdmotion.options import configured, option
     from usdmotion.pipeline import detect, import_motion, inspect, normalize, retarget, solve
     from usdmotion.plugins import host
     from usdmotion.recording import Reader, Recording
+    from usdmotion.s4d import NormalizedMotion
     from usdmotion.scene import Edit, Scene
     from usdmotion.session import Session
     from usdmotion.solving import Live, Performance, Pose, Problem, Solution, Solver, cue
@@ -73,6 +75,7 @@ __all__ = [
     "Floats",
     "ForcePlate",
     "Goal",
+    "Ground",
     "InputError",
     "Ints",
     "Joint",
@@ -80,6 +83,7 @@ __all__ = [
     "Markers",
     "Motion",
     "NoisePattern",
+    "NormalizedMotion",
     "OptionError",
     "OrientationConstraint",
     "Performance",
@@ -127,6 +131,7 @@ _ROOMS = (
     "arrays",
     "options",
     "motion",
+    "ground.contract",
     "capture",
     "recording",
     "cast",
@@ -139,11 +144,15 @@ _ROOMS = (
     "detecting",
     "asking",
     "hookspecs",
+    "s4d.normalized",
     "plugins",
     "session",
     "pipeline",
 )
-"""Where the names are at home, the lowest room first: a name imports no room above its own."""
+"""Where the names are at home, the lowest room first: a name imports no room above its own.
+
+`s4d` is low, and late because it takes longer to import than all that every plugin wants.
+"""
 
 
 def __getattr__(name: str) -> object:
