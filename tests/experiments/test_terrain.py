@@ -35,13 +35,24 @@ def ground(points):
     return np.where(z >= terrain.BUMPS[0], terrain.bumps(x, z), height)
 
 
-def test_soles_are_on_the_ground_in_every_stance(solved, walk):
+@pytest.fixture(scope="module")
+def soles(solved, walk):
+    """Return each stance of the walk, with where its sole is on each frame of it."""
     seconds, points = walk.motion.times, {"heel": walk.heel_point, "toe": walk.toe_point}
+    found = []
     for stance in walk.stances:
         there = (seconds >= stance.start - 1e-6) & (seconds <= stance.end + 1e-6)
-        sole = solved.after.point(stance.joint, points[stance.effector])[there]
+        if there.any():
+            sole = solved.after.point(stance.joint, points[stance.effector])
+            found.append((stance, sole[there]))
+    assert len(found) >= 20
+    return found
+
+
+def test_soles_are_on_the_ground_in_every_stance(soles):
+    for stance, sole in soles:
         # What is drawn between the points of the bumps is a few millimetres off their formula.
-        assert np.abs(sole[:, 1] - ground(sole)).max(initial=0.0) <= 5e-3, stance
+        assert np.abs(sole[:, 1] - ground(sole)).max() <= 5e-3, stance
 
 
 def test_nothing_of_a_foot_sinks_in_while_it_swings(solved, walk):
@@ -51,12 +62,9 @@ def test_nothing_of_a_foot_sinks_in_while_it_swings(solved, walk):
             assert (sole[:, 1] - ground(sole)).min() >= -5e-3
 
 
-def test_planted_feet_do_not_slide(solved, walk):
-    seconds, points = walk.motion.times, {"heel": walk.heel_point, "toe": walk.toe_point}
-    for stance in walk.stances:
-        there = (seconds >= stance.start - 1e-6) & (seconds <= stance.end + 1e-6)
-        sole = solved.after.point(stance.joint, points[stance.effector])[there]
-        assert np.ptp(sole, axis=0).max(initial=0.0) <= 2e-3
+def test_planted_feet_do_not_slide(soles):
+    for stance, sole in soles:
+        assert np.ptp(sole, axis=0).max() <= 2e-3, stance
 
 
 def carried(solved, walk, side):

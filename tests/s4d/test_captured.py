@@ -122,13 +122,17 @@ def test_characters_of_other_people_come_back(mocap: Path, name: str) -> None:
 def test_knees_bend_to_the_front_and_elbows_to_the_back(
     captured: Mapping[str, Captured],
 ) -> None:
+    seen = 0
     for name, each in captured.items():
         normalized = each.normalized
         bent = normalized.limb_lengths < np.cos(np.radians(20.0))
         for limb, part in enumerate(normalized.limbs):
             twists = np.degrees(np.abs(normalized.limb_twists[bent[:, limb], limb]))
             most = 20.0 if part.endswith("hip") else 60.0
-            assert (twists < most).mean() > 0.95 if len(twists) else True, (name, part)
+            assert not len(twists) or (twists < most).mean() > 0.95, (name, part)
+            seen += len(twists) > 0
+    # Somebody may keep an arm straight all along, but not most of them.
+    assert seen >= 3 * len(captured)
 
 
 def test_soles_are_level_where_feet_are_planted(captured: Mapping[str, Captured]) -> None:
