@@ -166,9 +166,11 @@ def _look(
 
 def _found(recorded: Recorded) -> Iterator[str]:
     count = len(recorded.luggage.found)
-    yield (
-        f"<{recorded.subject.path}> has no contacts of its feet; {count} were looked for and "
-        "found, and travel along" + (", so that its feet stand on other bodies" if count else "")
+    travel = "travels" if count == 1 else "travel"
+    yield f"<{recorded.subject.path}> has no contacts of its feet; " + (
+        f"{count} that its motion shows {travel} along, so that its feet stand on other bodies"
+        if count
+        else "its motion shows none either, so that nothing holds its feet on other bodies"
     )
 
 

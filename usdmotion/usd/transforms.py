@@ -36,7 +36,10 @@ def rigid(matrices: Floats, name: str) -> tuple[Floats, Floats, Floats]:
     axes = axes / scales[..., None]
     skew = np.abs(axes @ axes.transpose(0, 2, 1) - np.eye(3)).max(initial=0.0)
     if not skew <= _SKEW:
-        raise SceneError(f"{name} is sheared by an uneven scale above it; make that scale uniform")
+        raise SceneError(
+            f"{name} is sheared by an uneven scale above it, or between two samples of a matrix "
+            "that turns; make that scale uniform, or sample the matrix more often"
+        )
     if np.linalg.det(axes).min(initial=1.0) < 0.0:
         raise SceneError(f"{name} is mirrored by a negative scale; make that scale positive")
     return matrices[:, 3, :3].copy(), _quaternions(axes.transpose(0, 2, 1)), scales

@@ -122,9 +122,7 @@ def free(stage: Usd.Stage, path: str) -> str:
 
 
 def set_range(stage: Usd.Stage, first: float, last: float) -> None:
-    """Let a stage show some time codes at least."""
-    if stage.HasAuthoredTimeCodeRange():
-        first, last = min(first, stage.GetStartTimeCode()), max(last, stage.GetEndTimeCode())
+    """Let a stage show a motion from its first time code to its last, whatever it showed before."""
     stage.SetStartTimeCode(first)
     stage.SetEndTimeCode(last)
 
