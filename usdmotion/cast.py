@@ -71,6 +71,8 @@ class Cast:
     """Lower limit of the rotation vector of R_rest⁻¹R [degrees], shape (node_count, 3)."""
     limits_max: Floats
     """Upper limit of the same."""
+    rest_translations: Floats
+    """Rest position in the parent's frame [m], zero for a space, shape (node_count, 3)."""
     rest_rotations: Floats
     """Rest orientation in the parent's frame, xyzw, shape (node_count, 4)."""
     stiffness: Floats
@@ -117,9 +119,8 @@ class Cast:
             mass_centers=pile("mass_centers", np.zeros((1, 3))),
             limits_min=pile("limits_min", -free),
             limits_max=pile("limits_max", free),
-            rest_rotations=np.concatenate(
-                [part for each in characters for part in (identity, each.skeleton.rest_rotations)]
-            ),
+            rest_translations=_at_rest(characters, "rest_translations", np.zeros((1, 3))),
+            rest_rotations=_at_rest(characters, "rest_rotations", identity),
             stiffness=pile("stiffness", np.zeros(1)),
             priorities=pile("priorities", np.zeros(1, dtype=np.int64)),
             parts=tuple(part for each in characters for part in ("", *_parts(each))),
@@ -216,6 +217,12 @@ def _parts(character: Character) -> tuple[str, ...]:
     if character.parts is None:
         return ("",) * len(character.skeleton.joints)
     return character.parts.parts
+
+
+def _at_rest(characters: Sequence[Character], name: str, space: Floats) -> Floats:
+    return np.concatenate(
+        [part for each in characters for part in (space, getattr(each.skeleton, name))]
+    )
 
 
 def _per_frame(characters: Sequence[Character], name: str) -> Floats:

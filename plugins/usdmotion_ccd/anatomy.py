@@ -108,7 +108,7 @@ def _rest(cast: Cast, node: int) -> tuple[Floats, Floats]:
     """Return where a node is at rest, and how the rest turns vectors of its frame."""
     place, turn = np.zeros(3), np.array([0.0, 0.0, 0.0, 1.0])
     while cast.parents[node] >= 0:
-        own, offset = cast.rest_rotations[node], cast.translations[0, node]
+        own, offset = cast.rest_rotations[node], cast.rest_translations[node]
         place = offset + rotate(own, place)
         turn = multiply(own, turn)
         node = int(cast.parents[node])
@@ -148,7 +148,7 @@ def _group_by_shape(cast: Cast, groups: Ints, first: int, last: int) -> list[Lim
     The trunk is what carries two long branches; a branch that hangs on the root is a leg.
     """
     parents = cast.parents
-    lengths = np.linalg.norm(cast.translations[0], axis=-1)
+    lengths = np.linalg.norm(cast.rest_translations, axis=-1)
     reach = np.zeros(last)
     for node in range(last - 1, first, -1):
         parent = parents[node]

@@ -5,9 +5,8 @@ from usdmotion.kernels.quaternions import vector_at
 from usdmotion_ccd.errors import left
 from usdmotion_ccd.posing import give_output, give_rest, mix, save, take_input
 from usdmotion_ccd.schedule import Schedule
-from usdmotion_ccd.state import Parts, SolveRanks, Step, Work
+from usdmotion_ccd.state import SETTLED, Parts, SolveRanks, Step, Work
 
-SETTLED, LIMIT = 1, 2
 WITHOUT, WITH = 1, 2
 """Slots of saved poses."""
 
@@ -43,6 +42,7 @@ def solve_groups(handed: Reference[Handed], first: int, last: int, start: int, s
             for visit in range(plan.first_visit[group], plan.first_visit[group + 1]):
                 character = plan.visits[visit]
                 nodes = plan.first_node[character], plan.first_node[character + 1]
+                told.iterations[frame, character] = 0
                 take_input(work, frame, character)
                 give_rest(work, frame, nodes[0], nodes[1])
             for visit in range(plan.first_visit[group], plan.first_visit[group + 1]):
@@ -67,6 +67,7 @@ def solve_frame(
         asked.on[task] = table.activity[frame, task] >= 1.0
         for axis in range(3):
             asked.base[task, axis] = 0.0
+    work.told[0].stops[frame, character] = SETTLED
     spent = _solve(work, step, solve_ranks, frame, character)
     index = first
     while index < last:
@@ -78,9 +79,7 @@ def solve_frame(
             end += 1
         spent += _ease(work, step, solve_ranks, frame, character, index, end)
         index = end
-    told = work.told[0]
-    told.iterations[frame, character] = spent
-    told.stops[frame, character] = SETTLED if spent < work.settings[0].iterations else LIMIT
+    work.told[0].iterations[frame, character] += spent
     give_output(work, frame, character)
 
 

@@ -17,7 +17,7 @@ from usdmotion_ccd.state import Parts
 SHARES = 4
 """Into how many shares the work of a thread is cut, so that none waits long for another."""
 
-_Job = tuple[Prepared, tuple[int, int, int, int]]
+_Job = tuple[Prepared, tuple[int, int, int, int], "SimpleQueue[None]"]
 
 
 class Ensemble:
@@ -31,13 +31,12 @@ class Ensemble:
         call = apart(step, work=parts)
         handed = parts, call, apart(solve_ranks, work=parts, step=call), plan
         self._solve = Prepared(apart(solve_groups, handed=handed), handed)
-        threads = threads or os.cpu_count() or 1
+        threads = threads or _cores()
         self._shares = _shares(plan, threads)
         self._asked: SimpleQueue[_Job | None] = SimpleQueue()
-        self._done: SimpleQueue[None] = SimpleQueue()
         # Threads of its own, because those of a pool leave garbage behind at every step.
         for _ in range(min(threads, len(self._shares)) if len(self._shares) > 1 else 0):
-            Thread(target=_work, args=(self._asked, self._done), daemon=True).start()
+            Thread(target=_work, args=(self._asked,), daemon=True).start()
             finalize(self, self._asked.put, None)
 
     def solve(self, first: int, last: int) -> None:
@@ -45,10 +44,11 @@ class Ensemble:
         if len(self._shares) == 1:
             self._solve(first, last, *self._shares[0])
             return
+        done: SimpleQueue[None] = SimpleQueue()  # Who is interrupted leaves no tokens to the next.
         for share in self._shares:
-            self._asked.put((self._solve, (first, last, *share)))
+            self._asked.put((self._solve, (first, last, *share), done))
         for _ in self._shares:
-            self._done.get()
+            done.get()
 
 
 class CyclicPerformance:
@@ -82,14 +82,21 @@ class CyclicPerformance:
         self._ensemble.solve(0, 1)
 
 
-def _work(asked: "SimpleQueue[_Job | None]", done: "SimpleQueue[None]") -> None:
+def _work(asked: "SimpleQueue[_Job | None]") -> None:
     """Solve shares until there is none."""
     while (job := asked.get()) is not None:
-        solve, numbers = job
+        solve, numbers, done = job
         solve(*numbers)
-        # What is held on to here would live as long as the thread waits.
-        del job, solve
         done.put(None)
+        # What is held on to here would live as long as the thread waits.
+        del job, solve, done
+
+
+def _cores() -> int:
+    """Return how many cores this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 def _shares(plan: Schedule, threads: int) -> list[tuple[int, int]]:

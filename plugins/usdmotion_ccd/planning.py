@@ -128,10 +128,10 @@ class Planner:
         seen = self.seen[task]
         if len(seen) <= FEW:
             return True
-        start, end = self.table.first_term[task], self.table.first_term[task + 1]
-        shares = np.abs(self.table.term_coefficient[0, start:end])
-        carried = [self.is_below(node, int(at)) for at in self.table.term_node[start:end]]
-        return bool(shares[carried].sum() >= TRIFLE)
+        nodes = np.unique(seen)
+        carried = [self.is_below(node, int(at)) for at in nodes]
+        masses = self.cast.masses[nodes]
+        return bool(masses[carried].sum() >= TRIFLE * masses.sum())
 
     def bends(self, task: int) -> bool:
         """Tell whether any limb is bent for a task."""
@@ -165,7 +165,7 @@ class Planner:
         carried = [term for term in terms if self.is_below(limb.node, int(table.term_node[term]))]
         if len(carried) != 1 or not self.is_below(limb.middle, int(table.term_node[carried[0]])):
             return False
-        apart = np.linalg.norm(table.term_point[0, carried[0]]) > 1e-3
+        apart = np.linalg.norm(table.term_point[:, carried[0]], axis=-1).max() > 1e-3
         return bool(apart) or int(table.term_node[carried[0]]) != limb.middle
 
     def _key(self, move: Move, balances: bool) -> tuple[int, ...]:

@@ -11,7 +11,7 @@ from usdmotion_ccd.bending import bend_limb, is_usable, stretch
 from usdmotion_ccd.errors import POINT, left, length
 from usdmotion_ccd.posing import restore, save
 from usdmotion_ccd.shifting import forget, shift_root
-from usdmotion_ccd.state import LIMB, SHIFT, Step, Work
+from usdmotion_ccd.state import LIMB, LIMIT, SHIFT, Step, Work
 from usdmotion_ccd.stretching import UNKNOWN, forget_stretches
 from usdmotion_ccd.together import move_together
 from usdmotion_ccd.turning import turn_joint
@@ -116,6 +116,7 @@ def _solve_rank(work: Work, step: Step, frame: int, character: int, rank: int) -
             if late:
                 return iteration + 1
             late = True
+    work.told[0].stops[frame, character] = LIMIT
     return settings.iterations
 
 

@@ -20,13 +20,17 @@ class Clip(NamedTuple):
     """(F, N, 4) in the parent's frame."""
 
 
+SETTLED, LIMIT = 1, 2
+"""Why a solve was left: nothing came nearer any more, or a rank had all its iterations."""
+
+
 class Told(NamedTuple):
     """What a solve says of itself."""
 
     iterations: Ints
     """(F, C) how many were spent on each character."""
     stops: Ints
-    """(F, C) why each was left."""
+    """(F, C) why each was left, `SETTLED` or `LIMIT`."""
 
 
 class Tree(NamedTuple):

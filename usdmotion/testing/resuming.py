@@ -1,10 +1,11 @@
 """What a solver promises that can go on from where a solve was left."""
 
-from dataclasses import fields
+from dataclasses import fields, replace
 
 import numpy as np
 
 from usdmotion.constraints import Constraint, Goal, PositionConstraint
+from usdmotion.scene import Scene
 from usdmotion.solving import Problem, Solution, Solver, resumes
 from usdmotion.testing.scenes import HUMANOID, humanoid_scene
 
@@ -16,12 +17,23 @@ def check_resuming(solver: Solver) -> None:
     """If it says that it resumes, it goes on from known frames as if it had found them itself."""
     if not resumes(solver):
         return
-    for far in (0.1, 2.0):
-        problem = Problem.of(humanoid_scene(_reaching(far)))
+    for scene in (*map(humanoid_scene, map(_reaching, (0.1, 2.0))), _growing()):
+        problem = Problem.of(scene)
         whole, count = solver.solve(problem), problem.cast.frame_count
         for known in (1, count // 3, count // 2, count - 1):
             rest = problem.during(slice(known - 1, count), whole.during(slice(known - 1, known)))
             _same(solver.solve(rest), whole.during(slice(known - 1, count)))
+
+
+def _growing() -> Scene:
+    """Return one whose joints come to lie elsewhere on the way, each along its own axis."""
+    scene = humanoid_scene(_reaching(0.1))
+    (character,) = scene.characters
+    motion = character.motion
+    own = np.eye(3)[np.arange(motion.translations.shape[1]) % 3]
+    moved = motion.translations + 0.06 * np.sin(3.0 * motion.times)[:, None, None] * own
+    motion = replace(motion, translations=moved)
+    return replace(scene, characters=(replace(character, motion=motion),))
 
 
 def _reaching(far: float) -> list[Constraint]:
