@@ -1,6 +1,5 @@
 """What a normalized motion does not depend on."""
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -9,12 +8,12 @@ import pytest
 from usdmotion.arrays import Floats
 from usdmotion.errors import SceneError
 from usdmotion.humanoid import PartMap
-from usdmotion.kernels import conjugate, forward, from_vector, multiply, rotate
+from usdmotion.kernels import conjugate, from_vector, multiply, rotate
 from usdmotion.motion import Motion, Placement, Skeleton
 from usdmotion.s4d import Morphology, NormalizedMotion, normalize, restore
 from usdmotion.s4d.turns import IDENTITY
 
-from .conftest import UP, apart, built, moving, put, taken
+from .conftest import UP, apart, moving, put, taken
 
 ROTATIONS = ("limb_frames", "segment_rotations", "root_heading", "root_orientation")
 NUMBERS = ("limb_lengths", "limb_twists", "spine", "root_position")
@@ -143,7 +142,7 @@ def test_a_rest_of_lengths_only_is_told_by_the_motion(body: Morphology) -> None:
     assert turned_apart(one.root_orientation, two.root_orientation) < 1.0
     knees = [one.limbs.index(f"{side}_hip") for side in "lr"]
     assert np.degrees(np.abs(one.limb_twists - two.limb_twists)[:, knees]).max() < 5.0
-    assert turned_apart(one.segment_rotations, two.segment_rotations) < 25.0
+    assert turned_apart(one.segment_rotations, two.segment_rotations) < 1e-4
     metres, degrees = apart(flat, told, put(two, other))
     assert metres < 1e-9
     assert degrees < 1e-6
@@ -221,9 +220,11 @@ def test_a_motion_that_is_not_whole_is_refused(body: Morphology) -> None:
         limb_lengths=whole.limb_lengths[:, 1:],
         limb_twists=whole.limb_twists[:, 1:],
     )
-    with pytest.raises(SceneError, match="no l_shoulder; normalize it again"):
+    with pytest.raises(
+        SceneError, match="no l_shoulder among its limbs; normalize the motion again"
+    ):
         put(armless, body)
-    with pytest.raises(SceneError, match="4 points of the spine for 3 vertebrae"):
+    with pytest.raises(SceneError, match="4 points in its spine for 3 vertebrae"):
         put(replace(whole, spine=whole.spine[:, 1:]), body)
     on_his_head = {"carriers": ("skullbase",), "carrier_shares": np.ones((61, 1))}
     with pytest.raises(SceneError, match="'skullbase' carries nobody; name some of l_talocrural"):
@@ -236,60 +237,3 @@ def test_what_does_not_hang_on_the_pelvis_is_refused(body: Morphology) -> None:
     swapped[root], swapped[chest] = swapped[chest], swapped[root]
     with pytest.raises(SceneError, match="not below its humanoid_root"):
         Morphology.of(body.skeleton, PartMap(tuple(swapped)))
-
-
-TOKENS = {
-    "the same tokens": lambda joints: joints,
-    "tokens below another parent": lambda joints: tuple(f"Rig/{token}" for token in joints),
-}
-
-
-@pytest.mark.parametrize("tokens", TOKENS.values(), ids=TOKENS)
-def test_joints_of_the_same_name_move_alike_on_a_body_that_is_built_otherwise(
-    body: Morphology, tokens: Callable[[tuple[str, ...]], tuple[str, ...]]
-) -> None:
-    """A joint that slides does so under another parent; one that is only elsewhere stays."""
-    motion, shape = moving(body), body.skeleton
-    moved = np.array(motion.translations)
-    moved[:, body.joint("l_shoulder"), 1] += 0.02 * np.sin(motion.times)
-    moved[:, body.joint("r_shoulder"), 1] += 0.02
-    other = Morphology.of(replace(shape, joints=tokens(shape.joints)), body.parts)
-    told = Motion(motion.times, moved, motion.rotations)
-    source = Morphology.of(shape, body.parts, poses=told)
-    copied = put(taken(told, source), other)
-    away = copied.translations - shape.rest_translations
-    assert np.ptp(away[:, body.joint("l_shoulder"), 1]) > 0.015
-    assert np.abs(away[:, body.joint("r_shoulder")]).max() < 1e-9
-
-
-@pytest.mark.parametrize("tokens", TOKENS.values(), ids=TOKENS)
-def test_a_body_whose_motion_has_other_lengths_than_its_rest_pose_keeps_them_to_itself(
-    body: Morphology, tokens: Callable[[tuple[str, ...]], tuple[str, ...]]
-) -> None:
-    """Legs are 15 % longer than at rest; another body stands on its own, on the same ground."""
-    motion, shape = moving(body, size=0.0), body.skeleton
-    longer = np.array(motion.translations)
-    for part in ("l_knee", "r_knee", "l_talocrural", "r_talocrural"):
-        longer[:, body.joint(part)] *= 1.15
-    longer[:, body.joint("humanoid_root")] += 0.15 * body.leg_length * UP
-    told = Motion(motion.times, longer, motion.rotations)
-    source = Morphology.of(shape, body.parts, poses=told)
-    assert np.isclose(source.leg_length, 1.15 * body.leg_length)
-    metres, _ = apart(shape, told, put(taken(told, source), source))
-    assert metres < 1e-9
-    small = built(1.2)
-    other = Morphology.of(
-        replace(small.skeleton, joints=tokens(small.skeleton.joints)), small.parts
-    )
-    there = put(taken(told, source), other)
-    own = np.delete(there.translations, body.joint("humanoid_root"), axis=1)
-    rest = np.delete(small.skeleton.rest_translations, body.joint("humanoid_root"), axis=0)
-    np.testing.assert_allclose(own, np.broadcast_to(rest, own.shape), atol=1e-9)
-    places = {
-        who: forward(who.skeleton.parents, each.translations, each.rotations)[0]
-        for who, each in ((source, told), (other, there))
-    }
-    over = {who: each[:, who.joint("l_talocrural"), 1] for who, each in places.items()}
-    heights = {who: who.standing_heights[0] for who in places}
-    lifted = {who: (over[who] - heights[who]) / who.leg_length for who in places}
-    np.testing.assert_allclose(lifted[other], lifted[source], atol=1e-9)

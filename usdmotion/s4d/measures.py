@@ -12,8 +12,11 @@ from usdmotion.s4d.places import ENDS, LIMBS, ROOT
 from usdmotion.s4d.turns import Y
 
 _BALL_HEIGHT = 0.157011
-"""Height of the ball of a foot over its sole, over the way from ankle to ball (as the
-demonstrations' body): a foot is as thick as it is long, whatever leg it is on."""
+"""Height of the ball of a foot over its sole, over the way from ankle to ball: a foot is as thick
+as it is long, whatever leg it is on. Skeletons do not tell where the skin is, and the tables of
+lengths that the demonstrations' body comes from (Drillis & Contini 1966) have no such height: this
+is theirs, chosen by eye. The sole of a thicker foot is off by the difference, on another body, in
+as much as its legs are longer."""
 _NO_BALL_HEIGHT = 0.02444
 """The same over leg length, where a foot has no ball."""
 _ANKLE_HEIGHT = 0.07943

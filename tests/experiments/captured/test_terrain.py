@@ -79,15 +79,16 @@ def test_feet_stand_on_hills_as_they_stood_on_level_ground(climbed, clip, part):
     source = [clip.take.point(each.joint)[each.during(clip.take), made.up].mean() for each in held]
     usual = np.abs(source - np.median(source or [0.0])) <= OWN
     over = [over_ground(solved.after, each, made) for each in held]
-    heights = np.concatenate(
-        [np.zeros(0), *(o for o, same in zip(over, usual, strict=True) if same)]
-    )
-    off = heights - np.median(heights) if len(heights) else heights
+    if not usual.any():
+        pytest.skip(f"no {part} stands on the level of most of them here")
+    # As high over the hills as over the level ground that they were captured on.
+    level = np.median(source) - solved.report.edits[0].ground.made_on
+    off = np.concatenate([each for each, same in zip(over, usual, strict=True) if same]) - level
     # Where there is a ball it is what stands, and an ankle goes up and down about it.
     stands = part == "metatarsophalangeal" or clip.parts.joint("l_metatarsophalangeal") is None
-    assert off.min(initial=0.0) >= (-5e-3 if stands else -1e-2)
+    assert off.min() >= (-5e-3 if stands else -1.5e-2)
     # Where an ankle cannot be bent as far as the hill is steep, the heel is in the air.
-    assert part == "talocrural" or off.max(initial=0.0) <= 5e-3
+    assert part == "talocrural" or off.max() <= 5e-3
 
 
 def test_no_knee_pops_and_what_is_not_of_the_legs_keeps_its_posture(climbed, clip):
