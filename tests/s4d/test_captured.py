@@ -14,7 +14,7 @@ from usdmotion.humanoid import guess
 from usdmotion.kernels import conjugate, forward, multiply, rotate, to_vector
 from usdmotion.motion import Motion, Placement
 from usdmotion.s4d import Morphology, NormalizedMotion, normalize, restore
-from usdmotion.s4d.anatomy import rest_pose
+from usdmotion.s4d.bodies.anatomy import rest_pose
 from usdmotion.usd.characters import read_character
 from usdmotion.usd.clips import own_times
 from usdmotion.usd.relations import bound_animation

@@ -10,7 +10,7 @@ from usdmotion.demos.body import Proportions
 from usdmotion.kernels import forward, from_vector
 from usdmotion.motion import Motion, Placement
 from usdmotion.s4d import Held, Morphology, carriers_of, normalize, restore
-from usdmotion.s4d.carrying import heights_of
+from usdmotion.s4d.carrying import carried_heights
 
 from .conftest import UP, built
 
@@ -80,7 +80,7 @@ def upside_down(body: Morphology) -> Motion:
         turns[:, body.joint(f"{side}_shoulder"), 2] = sign * np.pi / 2.0
     translations = np.array(np.broadcast_to(body.skeleton.rest_translations, turns.shape))
     motion = Motion(TIMES, translations, from_vector(turns))
-    stand, _ = heights_of(body.measures, ("l_radiocarpal",), np.ones((1, 1)))
+    stand, _ = carried_heights(body.measures, ("l_radiocarpal",), np.ones((1, 1)))
     lowest = wrists(body, motion)[0]
     translations[:, 0, 1] += stand - lowest
     return Motion(TIMES, translations, from_vector(turns))
@@ -101,5 +101,5 @@ def test_a_handstand_stands_on_its_hands_on_another_body(arms: float) -> None:
     normalized = normalize(upside_down(body), space, body, up=UP, held=held)
     assert normalized.carriers == ("l_radiocarpal", "r_radiocarpal")
     stands = wrists(other, restore(normalized, other, space, up=UP))
-    expected, _ = heights_of(other.measures, ("l_radiocarpal",), np.ones((1, 1)))
+    expected, _ = carried_heights(other.measures, ("l_radiocarpal",), np.ones((1, 1)))
     assert np.allclose(stands, expected, atol=1e-6)

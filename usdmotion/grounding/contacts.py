@@ -14,7 +14,7 @@ from usdmotion.constraints.space import Space
 from usdmotion.humanoid import ANKLE
 from usdmotion.kernels import chordal_mean, conjugate, multiply, rotate
 from usdmotion.s4d import Footprint, Standing
-from usdmotion.s4d.legs import Pose
+from usdmotion.s4d.standing import Pose
 
 _STILL = 1e-3
 """A ground that moves less than this under a foot is at rest [m]."""

@@ -12,7 +12,7 @@ from usdmotion.grounding.account import Grounding
 from usdmotion.grounding.contacts import footprint_of, is_footprint, on_ground, staying
 from usdmotion.grounding.looking import Detect, find_footprints
 from usdmotion.s4d import Footprint, Morphology, Standing, stand
-from usdmotion.s4d.legs import Pose
+from usdmotion.s4d.standing import Pose
 from usdmotion.scene import Edit, Scene
 from usdmotion.travelling import frames_of
 

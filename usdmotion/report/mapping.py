@@ -3,7 +3,7 @@
 from usdmotion.humanoid import NECK, SPINE
 from usdmotion.report.retargeting import MappedReport
 from usdmotion.s4d import Morphology, NormalizedMotion
-from usdmotion.s4d.places import MIDDLES, ROOT, TOPS
+from usdmotion.s4d.bodies.places import MIDDLES, ROOT, TOPS
 
 
 def mapped_of(motion: NormalizedMotion, body: Morphology) -> MappedReport:

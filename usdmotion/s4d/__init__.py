@@ -6,16 +6,15 @@ know of it. `blend` and `warp` mix normalized motions. `stand` puts a motion ont
 and these onto a ground; `hinged` bends knees and elbows about their hinges.
 """
 
+from usdmotion.s4d.bodies import Limb, Morphology
 from usdmotion.s4d.carrying import Held, carriers_of
-from usdmotion.s4d.footing import Standing, stand
-from usdmotion.s4d.footprints import Footprint
 from usdmotion.s4d.hinges import hinged
 from usdmotion.s4d.mixing import blend, warp
-from usdmotion.s4d.morphology import Limb, Morphology
 from usdmotion.s4d.normalized import NormalizedMotion
 from usdmotion.s4d.normalizing import normalize
 from usdmotion.s4d.postures import lacking
 from usdmotion.s4d.restoring import restore
+from usdmotion.s4d.standing import Footprint, Standing, stand
 
 __all__ = [
     "Footprint",

@@ -10,7 +10,7 @@ import numpy as np
 from usdmotion.arrays import Bools, Floats
 from usdmotion.errors import SceneError
 from usdmotion.humanoid import ANKLE
-from usdmotion.s4d.measures import Measures
+from usdmotion.s4d.bodies import Measures
 
 Held = tuple[str, float, float]
 """A part of a body that something holds, from when to when [s]."""
@@ -105,7 +105,7 @@ def _eased(times: Floats, shares: Floats) -> Floats:
     return np.asarray(np.stack(columns, axis=1) / (2.0 * reach))
 
 
-def heights_of(
+def carried_heights(
     measures: Measures, carriers: tuple[str, ...], shares: Floats
 ) -> tuple[Floats, Floats]:
     """Return how high the joints that carry are, and how far the root is from them, in shares.

@@ -8,9 +8,9 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.humanoid import SPINE
 from usdmotion.kernels import conjugate, multiply
+from usdmotion.s4d.bodies.places import ENDS, ROOT
 from usdmotion.s4d.chains import spine_points
 from usdmotion.s4d.normalized import NormalizedMotion
-from usdmotion.s4d.places import ENDS, ROOT
 from usdmotion.s4d.postures import Postures, seen_from_carriers
 from usdmotion.s4d.turns import IDENTITY
 

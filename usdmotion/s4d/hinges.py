@@ -10,7 +10,7 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.kernels import beyond_limits, conjugate, limit_boxes, multiply, to_vector
 from usdmotion.motion import Body, Motion
-from usdmotion.s4d.morphology import Limb, Morphology
+from usdmotion.s4d.bodies import Limb, Morphology
 from usdmotion.s4d.turns import about, unit
 
 _FREE = 90.0

@@ -8,9 +8,9 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.errors import SceneError
 from usdmotion.motion import between_samples
+from usdmotion.s4d.bodies.places import ENDS, TOPS
 from usdmotion.s4d.conforming import conformed
 from usdmotion.s4d.normalized import NormalizedMotion
-from usdmotion.s4d.places import ENDS, TOPS
 from usdmotion.s4d.postures import require_whole
 from usdmotion.s4d.steadiness import Steady
 from usdmotion.s4d.turns import continuous

@@ -8,12 +8,12 @@ from usdmotion.arrays import Floats
 from usdmotion.humanoid import PARTS
 from usdmotion.kernels import conjugate, forward, multiply, rotate
 from usdmotion.motion import Motion, Placement
-from usdmotion.s4d.carrying import Held, carriers_of, heights_of
+from usdmotion.s4d.bodies import Morphology
+from usdmotion.s4d.bodies.places import MIDDLES, ROOT, TOPS
+from usdmotion.s4d.carrying import Held, carried_heights, carriers_of
 from usdmotion.s4d.chains import spine_points
 from usdmotion.s4d.limbs import aligned, fold
-from usdmotion.s4d.morphology import Morphology
 from usdmotion.s4d.normalized import NormalizedMotion
-from usdmotion.s4d.places import MIDDLES, ROOT, TOPS
 from usdmotion.s4d.postures import seen_from_carriers
 from usdmotion.s4d.roots import split_heading
 from usdmotion.s4d.turns import Y, continuous, swing
@@ -113,7 +113,7 @@ class _Posed:
         """Return the normalized place of the root, shape (F, 3)."""
         hips = [self.positions[:, self.body.joint(f"{side}_hip")] for side in "lr"]
         place = 0.5 * (hips[0] + hips[1])
-        stand, length = heights_of(self.body.measures, carriers, shares)
+        stand, length = carried_heights(self.body.measures, carriers, shares)
         root = place / self.body.leg_length
         root[:, 1] = (place[:, 1] - stand) / length
         return np.asarray(root)

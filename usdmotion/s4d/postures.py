@@ -8,10 +8,10 @@ from usdmotion.arrays import Floats
 from usdmotion.errors import SceneError
 from usdmotion.humanoid import NECK, PARTS, SPINE
 from usdmotion.kernels import conjugate, multiply
-from usdmotion.s4d.anatomy import basis
+from usdmotion.s4d.bodies.anatomy import basis
+from usdmotion.s4d.bodies.places import ENDS, FINGERS, MIDDLES, ROOT, TOPS, carrier
 from usdmotion.s4d.chains import cut_neck, cut_row, cut_spine
 from usdmotion.s4d.normalized import NormalizedMotion
-from usdmotion.s4d.places import ENDS, FINGERS, MIDDLES, ROOT, TOPS, carrier
 from usdmotion.s4d.turns import continuous
 
 _HEAD = "skullbase"

@@ -5,12 +5,11 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.kernels import conjugate, forward, multiply, rotate
 from usdmotion.motion import Motion, Placement
-from usdmotion.s4d.carrying import heights_of
+from usdmotion.s4d.bodies import Limb, Measures, Morphology
+from usdmotion.s4d.bodies.places import ROOT
+from usdmotion.s4d.carrying import carried_heights
 from usdmotion.s4d.limbs import aligned, unfold
-from usdmotion.s4d.measures import Measures
-from usdmotion.s4d.morphology import Limb, Morphology
 from usdmotion.s4d.normalized import NormalizedMotion
-from usdmotion.s4d.places import ROOT
 from usdmotion.s4d.postures import Postures
 from usdmotion.s4d.turns import Y, continuous, swing
 
@@ -148,7 +147,7 @@ def _make_local(
 def _hips(normalized: NormalizedMotion, measures: Measures) -> Floats:
     """Return the middle of the hip joints in the world, y up [m], shape (F, 3)."""
     root = normalized.root_position
-    stand, length = heights_of(measures, normalized.carriers, normalized.carrier_shares)
+    stand, length = carried_heights(measures, normalized.carriers, normalized.carrier_shares)
     leg = np.broadcast_to(measures.leg, len(root))
     hips = root * leg[:, None]
     # What grows on the way goes on from where it is: it does not move away from the world's origin.

@@ -11,7 +11,7 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.kernels import conjugate, multiply
-from usdmotion.s4d.anatomy import basis
+from usdmotion.s4d.bodies.anatomy import basis
 from usdmotion.s4d.turns import Z, about
 
 

@@ -9,10 +9,10 @@ from usdmotion.arrays import Bools, Floats
 from usdmotion.ground import Ground
 from usdmotion.humanoid import ANKLE, BALL
 from usdmotion.kernels import conjugate, multiply, rotate
-from usdmotion.s4d.ankles import Foot
-from usdmotion.s4d.footprints import Footprint, Stance, between
-from usdmotion.s4d.legs import Leg, Pose
-from usdmotion.s4d.soles import lie
+from usdmotion.s4d.standing.ankles import Foot
+from usdmotion.s4d.standing.footprints import Footprint, Stance, between
+from usdmotion.s4d.standing.legs import Leg, Pose
+from usdmotion.s4d.standing.soles import lie
 
 _SAME = 0.04
 """A sole this near to the ground that a motion was made on stood on it [m]."""

@@ -8,7 +8,7 @@ from usdmotion.arrays import Floats
 from usdmotion.kernels import conjugate, limit_boxes, multiply, rotate, within_limits
 from usdmotion.kernels.limits import limited_vectors
 from usdmotion.motion import Body, Skeleton
-from usdmotion.s4d.legs import LEFT, Leg, Pose, flexion
+from usdmotion.s4d.standing.legs import LEFT, Leg, Pose, flexion
 from usdmotion.s4d.turns import about
 
 UPWARD, DOWNWARD = 30.0, 45.0

@@ -8,9 +8,9 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.humanoid.parts import ANKLE, BALL, LEG
 from usdmotion.kernels import conjugate, multiply, rotate
+from usdmotion.s4d.bodies import Morphology
 from usdmotion.s4d.limbs import middle_of
-from usdmotion.s4d.morphology import Morphology
-from usdmotion.s4d.soles import Sole
+from usdmotion.s4d.standing.soles import Sole
 from usdmotion.s4d.turns import across, swing, unit
 
 LEFT, UP, FRONT = np.eye(3)

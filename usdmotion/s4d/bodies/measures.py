@@ -8,7 +8,7 @@ from usdmotion.arrays import Floats
 from usdmotion.humanoid import PartMap
 from usdmotion.humanoid.parts import LEG
 from usdmotion.kernels import rotate
-from usdmotion.s4d.places import ENDS, LIMBS, ROOT
+from usdmotion.s4d.bodies.places import ENDS, LIMBS, ROOT
 from usdmotion.s4d.turns import Y
 
 _BALL_HEIGHT = 0.157011

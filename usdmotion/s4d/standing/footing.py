@@ -11,13 +11,13 @@ from usdmotion.humanoid import ANKLE, BALL
 from usdmotion.kernels import conjugate, forward, multiply, rotate
 from usdmotion.motion import Body, Motion, Placement
 from usdmotion.quality import speed
-from usdmotion.s4d.ankles import Foot, held_back
-from usdmotion.s4d.clearance import lift
-from usdmotion.s4d.footprints import Footprint, Stance, from_heel_strike, stances_of
-from usdmotion.s4d.heights import Heights, heights_of
-from usdmotion.s4d.legs import Leg, Pose, bent
-from usdmotion.s4d.morphology import Morphology
-from usdmotion.s4d.treads import Level, Tread, treads_of
+from usdmotion.s4d.bodies import Morphology
+from usdmotion.s4d.standing.ankles import Foot, held_back
+from usdmotion.s4d.standing.clearance import lift
+from usdmotion.s4d.standing.footprints import Footprint, Stance, from_heel_strike, stances_of
+from usdmotion.s4d.standing.heights import Heights, heights_of
+from usdmotion.s4d.standing.legs import Leg, Pose, bent
+from usdmotion.s4d.standing.treads import Level, Tread, treads_of
 from usdmotion.s4d.turns import across
 
 _HEEL_AT, _HEEL_RESTS = 0.03, 0.4

@@ -10,10 +10,10 @@ from usdmotion.errors import SceneError
 from usdmotion.humanoid import PartMap
 from usdmotion.kernels import conjugate, forward, multiply
 from usdmotion.motion import Motion, Skeleton
-from usdmotion.s4d.anatomy import Rest, basis, rest_pose
-from usdmotion.s4d.measures import Measures
-from usdmotion.s4d.places import LIMBS, ROOT, TOPS
-from usdmotion.s4d.stance import Stance
+from usdmotion.s4d.bodies.anatomy import Rest, basis, rest_pose
+from usdmotion.s4d.bodies.measures import Measures
+from usdmotion.s4d.bodies.places import LIMBS, ROOT, TOPS
+from usdmotion.s4d.bodies.resting import Resting
 
 _AS_AT_REST = 1e-4
 """A joint this near to where it is at rest is there [m]."""
@@ -94,7 +94,7 @@ class Morphology:
                     f"{who} is in no posture of a body at rest; give it a rest pose in which it "
                     "stands, or bind a motion to it"
                 )
-            rest = Rest(skeleton, parts, Stance.seen(skeleton, parts, poses))
+            rest = Rest(skeleton, parts, Resting.seen(skeleton, parts, poses))
         frames = multiply(conjugate(rest.orientations), rest.frames())
         body = cls(rest.skeleton, parts, rest.axes, frames)
         return body if poses is None else body._as_in(poses, who)

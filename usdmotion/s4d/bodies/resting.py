@@ -17,7 +17,7 @@ from usdmotion.humanoid import PartMap
 from usdmotion.humanoid.parts import LEG
 from usdmotion.kernels import chordal_mean, conjugate, forward, multiply, rotate, to_vector
 from usdmotion.motion import Motion, Skeleton
-from usdmotion.s4d.places import LIMBS
+from usdmotion.s4d.bodies.places import LIMBS
 from usdmotion.s4d.turns import across, unit
 
 _MOST_FRAMES = 500
@@ -39,7 +39,7 @@ _RIGHT_ANGLES = Rotation.create_group("O").as_quat()
 
 
 @dataclass(frozen=True, eq=False)
-class Stance:
+class Resting:
     """A rest pose for a skeleton, and what only its motion shows."""
 
     skeleton: Skeleton
@@ -52,7 +52,7 @@ class Stance:
     not stand."""
 
     @classmethod
-    def seen(cls, skeleton: Skeleton, parts: PartMap, motion: Motion) -> "Stance":
+    def seen(cls, skeleton: Skeleton, parts: PartMap, motion: Motion) -> "Resting":
         """Return how a body stands, from its motion."""
         step = -(-motion.frame_count // _MOST_FRAMES)
         poses = motion.during(slice(None, None, step))

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdmotion.arrays import Floats, seal
-from usdmotion.s4d.clearance import covering
-from usdmotion.s4d.legs import Leg, Pose
+from usdmotion.s4d.standing.clearance import covering
+from usdmotion.s4d.standing.legs import Leg, Pose
 from usdmotion.s4d.turns import across
 
 _BEFORE, _GENTLY = 0.04, 0.08

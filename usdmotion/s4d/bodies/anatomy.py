@@ -16,8 +16,8 @@ from usdmotion.humanoid import PartMap
 from usdmotion.humanoid.parts import finger
 from usdmotion.kernels import conjugate, forward, multiply, rotate
 from usdmotion.motion import Skeleton
-from usdmotion.s4d.places import FINGERS, LIMBS
-from usdmotion.s4d.stance import Stance
+from usdmotion.s4d.bodies.places import FINGERS, LIMBS
+from usdmotion.s4d.bodies.resting import Resting
 from usdmotion.s4d.turns import IDENTITY, X, Y, Z, across, from_y_z, swing, unit
 
 _UPRIGHT = np.cos(np.radians(30.0))
@@ -53,11 +53,11 @@ def basis(top: str) -> Floats:
 class Rest:
     """A body at rest, in the space of its skeleton."""
 
-    def __init__(self, skeleton: Skeleton, parts: PartMap, stance: Stance | None = None) -> None:
-        self.skeleton = skeleton if stance is None else stance.skeleton
+    def __init__(self, skeleton: Skeleton, parts: PartMap, told: Resting | None = None) -> None:
+        self.skeleton = skeleton if told is None else told.skeleton
         self.parts = parts
-        self._sides = {} if stance is None else stance.sides
-        self._soles = {} if stance is None else stance.soles
+        self._sides = {} if told is None else told.sides
+        self._soles = {} if told is None else told.soles
         self.positions, self.orientations = rest_pose(self.skeleton)
         self.axes = self._axes()
 

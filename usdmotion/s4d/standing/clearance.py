@@ -4,7 +4,7 @@ import numpy as np
 
 from usdmotion.arrays import Bools, Floats
 from usdmotion.ground import Ground
-from usdmotion.s4d.footprints import between
+from usdmotion.s4d.standing.footprints import between
 
 _MARGIN = 0.015
 """Soles swing this high above the ground, if they did above the one the motion was made on [m]."""

@@ -9,11 +9,11 @@ from usdmotion.arrays import Floats
 from usdmotion.kernels import conjugate, multiply, rotate
 from usdmotion.motion import Motion
 from usdmotion.s4d import Morphology
-from usdmotion.s4d.anatomy import rest_pose
-from usdmotion.s4d.stance import Stance
+from usdmotion.s4d.bodies.anatomy import rest_pose
+from usdmotion.s4d.bodies.resting import Resting
 from usdmotion.s4d.turns import X, about, unit
 
-from .conftest import UP, moving
+from ..conftest import UP, moving
 
 
 def standing(body: Morphology, heels: tuple[float, float]) -> Motion:
@@ -31,7 +31,7 @@ def standing(body: Morphology, heels: tuple[float, float]) -> Motion:
 
 def slants(body: Morphology, heels: tuple[float, float]) -> list[float]:
     """Return how far the soles that are seen are from those of a body at rest [degrees]."""
-    soles = Stance.seen(body.skeleton, body.parts, standing(body, heels)).soles
+    soles = Resting.seen(body.skeleton, body.parts, standing(body, heels)).soles
     _, orientations = rest_pose(body.skeleton)
     return [
         angle(rotate(orientations[ankle], soles[ankle]), UP)
