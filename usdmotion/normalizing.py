@@ -152,16 +152,28 @@ def _take_off(
 def _look(
     overlay: Overlay, recorded: Recorded, say: Say
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Look for contacts of feet, and return the paths of their detections, and notes."""
+    """Look for contacts of feet, and of knees and hands that come down to the ground.
+
+    Returns:
+        The paths of their detections, and notes.
+    """
     from usdmotion import usd
     from usdmotion.usd import normalized
+    from usdmotion.usd.stages import read_facts
 
     subject = recorded.subject
     edit = "" if subject.edit is None else str(subject.edit.GetPath())
     joints = normalized.feet_of(recorded.body)
     detections = usd.author_feet(overlay.stage, joints, edit=edit)
     looked = search_over(overlay, Asked(joints=joints, edit=edit, guides=False), say=say)
-    return detections, looked.notes
+    up = read_facts(overlay.stage).up
+    low = normalized.low_joints(recorded.character, recorded.body, up)
+    if not low:
+        return detections, looked.notes
+    others = usd.author_feet(overlay.stage, low, edit=edit)
+    asked = Asked(joints=low, edit=edit, guides=False)
+    again = search_over(overlay, asked, say=say)
+    return (*detections, *others), (*looked.notes, *again.notes)
 
 
 def _found(recorded: Recorded) -> Iterator[str]:

@@ -60,6 +60,7 @@ Templates = Annotated[
 Contacts = Annotated[
     bool,
     typer.Option(
-        "--contacts/--no-contacts", help="Look for contacts of feet where there are none."
+        "--contacts/--no-contacts",
+        help="Look for contacts of feet, knees and hands where feet have none.",
     ),
 ]

@@ -1,6 +1,6 @@
-"""Ankle and ball of a foot that stands agree, whatever the length of the foot."""
+"""Knee, ankle and ball that are held agree, whatever the length of shank and foot."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -14,14 +14,18 @@ from usdmotion.travelling.carrying import Traveller
 from usdmotion.travelling.footprints import contacts_of_feet
 from usdmotion.travelling.meanings import Meanings
 
+_BESIDE = 0.3
+"""How far a foot is behind or beside a knee at least, over the shank, to be led away from it."""
+
 
 def with_own_feet(
     travellers: Sequence[Traveller], meanings: Meanings, body: Morphology, times: Floats
 ) -> tuple[Traveller, ...]:
-    """Return constraints whose ankles are as far from their balls as the feet of a body are long.
+    """Return constraints whose ankles are as far from balls and knees as a body is built.
 
     A step is from ball to ball, so it is the ankle that gives way: it stands where its orientation
-    and the ball of the contact that is on meanwhile say.
+    and the ball of the contact that is on meanwhile say. Who kneels does it on his knee, so it is
+    the foot of that leg that is moved along the ground, as far as the shank is long.
 
     Args:
         travellers: Constraints in metres, on the body.
@@ -29,6 +33,7 @@ def with_own_feet(
         body: The body.
         times: Seconds of the frames.
     """
+    travellers = _behind_knees(travellers, meanings, body, times)
     feet = list(contacts_of_feet(travellers, meanings))
     moved: dict[str, ContactConstraint] = {}
     for name, part, ankle in feet:
@@ -47,6 +52,51 @@ def with_own_feet(
         replace(each, constraint=moved[each.name]) if each.name in moved else each
         for each in travellers
     )
+
+
+def _behind_knees(
+    travellers: Sequence[Traveller], meanings: Meanings, body: Morphology, times: Floats
+) -> tuple[Traveller, ...]:
+    """Return constraints whose feet are a shank away from the knees that are held meanwhile."""
+    knees = [
+        (part, knee)
+        for part, knee in _contacts(travellers, meanings)
+        if part.endswith("_knee") and knee.space.joint is None and knee.location.ndim == 1
+    ]
+    up = rotate(conjugate(meanings.turn), np.array([0.0, 1.0, 0.0]))
+    moved: dict[str, ContactConstraint] = {}
+    for name, part, foot in contacts_of_feet(travellers, meanings):
+        leg = [
+            knee
+            for joint, knee in knees
+            if joint[0] == part[0] and _together(knee, foot, times) > 0.0
+        ]
+        if not leg or foot.space.joint is not None or foot.location.ndim != 1:
+            continue
+        knee = max(leg, key=lambda each: _together(each, foot, times))
+        shank = next(limb.lower for limb in body.limbs if limb.name == f"{part[0]}_hip")
+        way = foot.location - knee.location
+        rise = float(way @ up)
+        along = way - rise * up
+        far = np.sqrt(max(shank**2 - rise**2, 0.0))
+        if np.linalg.norm(along) > _BESIDE * shank:
+            place = knee.location + rise * up + far * along / np.linalg.norm(along)
+            moved[name] = replace(foot, location=place)
+    return tuple(
+        replace(each, constraint=moved[each.name]) if each.name in moved else each
+        for each in travellers
+    )
+
+
+def _contacts(
+    travellers: Sequence[Traveller], meanings: Meanings
+) -> Iterator[tuple[str, ContactConstraint]]:
+    """Yield part and constraint of all contacts of parts."""
+    for each in travellers:
+        contact = each.constraint
+        joint = meanings.named(contact.joint) if contact.joint else None
+        if isinstance(contact, ContactConstraint) and joint is not None:
+            yield meanings.parts[joint], contact
 
 
 def _is_whole(contact: ContactConstraint) -> bool:

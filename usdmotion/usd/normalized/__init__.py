@@ -1,6 +1,7 @@
 """Normalized motions and what travels with them, as prims: files, where they come from and go."""
 
 from usdmotion.usd.normalized.files import normalized_prims, read_luggage, write_normalized
+from usdmotion.usd.normalized.lowering import low_joints
 from usdmotion.usd.normalized.motions import author_normalized, read_normalized
 from usdmotion.usd.normalized.placing import place_travellers
 from usdmotion.usd.normalized.recorded import (
@@ -40,6 +41,7 @@ __all__ = [
     "find_target",
     "fingerprint",
     "in_edit_of",
+    "low_joints",
     "name_of",
     "normalized_prims",
     "notes_of",

@@ -9,7 +9,7 @@ from usdmotion.arrays import Floats
 from usdmotion.cast import Character
 from usdmotion.constraints import Constraint, ContactConstraint
 from usdmotion.humanoid import FEET
-from usdmotion.s4d import Morphology, normalize
+from usdmotion.s4d import Held, Morphology, normalize
 from usdmotion.travelling import (
     Left,
     Luggage,
@@ -24,6 +24,7 @@ from usdmotion.travelling import (
 )
 from usdmotion.usd.characters import Sitting
 from usdmotion.usd.normalized.gathering import gather
+from usdmotion.usd.normalized.lowering import on_ground
 from usdmotion.usd.normalized.settings import read_settings
 from usdmotion.usd.normalized.subjects import Subject, bodies_of, morphology_of, read_sittings
 from usdmotion.usd.provenance import hash_of
@@ -71,8 +72,11 @@ def read_recorded(
     meanings = Meanings.of(subject.path, body, facts.up)
     on_body: tuple[Traveller, ...] = ()
     left: tuple[Left, ...] = ()
+    low: list[Held] = []
     if subject.edit is not None:
         on_body, left = gather(subject.edit, subject.path, kinds, sittings, codes, facts)
+        above = _names(subject, found)
+        on_body, low = on_ground(on_body, above, meanings, character, body, facts.up)
     travellers, behind = carry(on_body, _ways(stage, subject, sittings, name, facts))
     luggage = Luggage(
         name=name,
@@ -81,7 +85,7 @@ def read_recorded(
             character.placement,
             body,
             up=facts.up,
-            held=held_by(on_body, meanings, character.motion.times),
+            held=[*held_by(on_body, meanings, character.motion.times), *low],
         ),
         first=float(codes[0]) / facts.time_codes_per_second,
         travellers=travellers,
@@ -91,8 +95,7 @@ def read_recorded(
         body=fingerprint(body),
         source=str(subject.animation.GetPath()),
     )
-    feet = contacts_of_feet(on_body, meanings)
-    contacts = {name: contact for name, _, contact in feet}
+    contacts = {name: contact for name, _, contact in contacts_of_feet(on_body, meanings)}
     return Recorded(luggage, body, character, contacts, subject)
 
 
@@ -141,6 +144,11 @@ def _below(
     subject: Subject, travellers: Sequence[Traveller], found: Sequence[str]
 ) -> tuple[str, ...]:
     """Return the names of what stands below some detections."""
-    edit = "" if subject.edit is None else str(subject.edit.GetPath())
-    above = tuple(f"{path}/".removeprefix(f"{edit}/") for path in found)
+    above = _names(subject, found)
     return tuple(each.name for each in travellers if each.name.startswith(above)) if above else ()
+
+
+def _names(subject: Subject, found: Sequence[str]) -> tuple[str, ...]:
+    """Return what the names of what stands below some detections begin with."""
+    edit = "" if subject.edit is None else str(subject.edit.GetPath())
+    return tuple(f"{path}/".removeprefix(f"{edit}/") for path in found)
