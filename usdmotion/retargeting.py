@@ -30,6 +30,7 @@ from usdmotion.travelling import (
     contacts_of_feet,
     footprints_of,
     with_own_feet,
+    with_points_for_balls,
 )
 
 if TYPE_CHECKING:
@@ -180,7 +181,8 @@ def _put(overlay: Overlay, luggage: Luggage, placing: Placing) -> _Put:
     target = normalized.read_target(prim, codes, facts)
     same = luggage.body == normalized.fingerprint(target.morphology) and placing.ground is None
     needed = [each for each in luggage.travellers if not (same and each.name in luggage.found)]
-    there, behind = normalized.carry(needed, normalized.ways_onto(stage, target, luggage, facts))
+    ways = normalized.ways_onto(stage, target, luggage, facts)
+    there, behind = normalized.carry(with_points_for_balls(needed, target.morphology), ways)
     meanings = Meanings.of(target.path, target.morphology, facts.up)
     if not same:
         there = with_own_feet(there, meanings, target.morphology, luggage.motion.times)

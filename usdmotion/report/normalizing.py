@@ -96,15 +96,19 @@ def travellers_table(rows: Sequence[TravellerReport]) -> list[Table | str]:
     for heading in ("what", "of", "travels"):
         table.add_column(heading)
     counted: dict[tuple[str, str, str], int] = {}
+    behind: dict[tuple[str, str], list[str]] = {}
     for each in rows:
         of = each.joint.rsplit("/", 1)[-1]
         if each.travels:
             key = (kind_of(each.type), of, "found on the way" if each.found else "yes")
+            counted[key] = counted.get(key, 0) + 1
         else:
-            key = (each.name, of, f"no: {each.why}")
-        counted[key] = counted.get(key, 0) + 1
+            behind.setdefault((each.name.rpartition("/")[0], each.why), []).append(each.name)
     for (what, of, how), count in counted.items():
         table.add_row(f"{count} × {what}" if count > 1 else what, of, how)
+    for (above, why), names in behind.items():
+        several = f"{len(names)} of {above}" if above else ", ".join(names)
+        table.add_row(several if len(names) > 1 else names[0], "", f"no: {why}")
     return [table]
 
 

@@ -4,6 +4,7 @@ A constraint of any kind, ours or a third party's, is carried field by field: wh
 say of unit and frame says what is a length, in whose frame it is, and whose orientation.
 """
 
+from usdmotion.travelling.balls import with_points_for_balls
 from usdmotion.travelling.carrying import Traveller, bodies, carried
 from usdmotion.travelling.feet import with_own_feet
 from usdmotion.travelling.footprints import (
@@ -37,4 +38,5 @@ __all__ = [
     "held_by",
     "is_footprint",
     "with_own_feet",
+    "with_points_for_balls",
 ]

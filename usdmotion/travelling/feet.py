@@ -10,6 +10,7 @@ from usdmotion.constraints import ContactConstraint
 from usdmotion.humanoid import ANKLE, BALL
 from usdmotion.kernels import conjugate, forward, rotate
 from usdmotion.s4d import Morphology
+from usdmotion.travelling.balls import ball_in_ankle, holds_ball
 from usdmotion.travelling.carrying import Traveller
 from usdmotion.travelling.footprints import contacts_of_feet
 from usdmotion.travelling.meanings import Meanings
@@ -43,7 +44,9 @@ def with_own_feet(
         balls = [
             ball
             for _, other, ball in feet
-            if other == f"{side}_{BALL}" and _is_whole(ball) and _together(ankle, ball, times) > 0.0
+            if other[0] == side
+            and _is_of_ball(ball, other, body)
+            and _together(ankle, ball, times) > 0.0
         ]
         if balls:
             ball = max(balls, key=lambda each: _together(ankle, each, times))
@@ -105,6 +108,13 @@ def _is_whole(contact: ContactConstraint) -> bool:
     return contact.kind == "space" and contact.stays and at_rest
 
 
+def _is_of_ball(contact: ContactConstraint, part: str, body: Morphology) -> bool:
+    """Tell whether a contact says where the ball of a foot is."""
+    if part.endswith(BALL):
+        return _is_whole(contact)
+    return holds_ball(contact, part, body) and contact.stays and contact.space.joint is None
+
+
 def _together(one: ContactConstraint, other: ContactConstraint, times: Floats) -> float:
     """Return for how long two contacts hold at once [s]."""
     (start, end), (first, last) = one.held(times), other.held(times)
@@ -113,13 +123,16 @@ def _together(one: ContactConstraint, other: ContactConstraint, times: Floats) -
 
 def _by_ball(ankle: ContactConstraint, ball: ContactConstraint, way: Floats) -> ContactConstraint:
     """Return the contact of an ankle that is a foot away from its ball."""
-    held = ball.location - rotate(ball.orientation, ball.point)
+    whole = ball.kind == "space"
+    held = ball.location - rotate(ball.orientation, ball.point) if whole else ball.location
     place = held - rotate(ankle.orientation, way)
     return replace(ankle, location=place + rotate(ankle.orientation, ankle.point))
 
 
 def _way(body: Morphology, side: str) -> Floats:
     """Return where the ball of a foot is at rest, in the frame of its ankle [m], shape (3,)."""
+    if body.parts.joint(f"{side}_{BALL}") is None:
+        return ball_in_ankle(body, side)
     skeleton = body.skeleton
     _, orientations = forward(
         skeleton.parents, skeleton.rest_translations[None], skeleton.rest_rotations[None]
