@@ -172,7 +172,7 @@ class Held:
         return (take.times >= first - 1e-6) & (take.times <= last + 1e-6)
 
     def slide(self, take: Take) -> float:
-        """Return how far what is held is from its mean place at most, on samples that there are [m]."""
+        """Return how far what is held is from its mean place at most while it holds [m]."""
         places = take.point(self.joint, self.point)[self.during(take)]
         return float(np.linalg.norm(places - places.mean(axis=0), axis=1).max())
 
