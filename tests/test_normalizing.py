@@ -218,3 +218,19 @@ def test_a_motion_that_is_not_whole_is_refused_with_its_own_file_and_prim(
         pipeline.retarget(broken, folder / "skating.usda", tmp_path / "out.usda")
     assert "/Walker" in {fault.path for fault in pipeline.inspect(broken).faults}
     assert not (tmp_path / "out.usda").exists()
+
+
+def test_feet_of_which_no_contact_is_found_are_told_of_as_such(folder, tmp_path):
+    found = pipeline.normalize(folder / "skating.usda", tmp_path / "found.usda")
+    count = len(found.motions[0].travellers)
+    assert any(f"{count} that its motion shows travel along" in note for note in found.notes)
+    stage = Usd.Stage.CreateNew(str(tmp_path / "flying.usda"))
+    stage.GetRootLayer().subLayerPaths.append(str(folder / "skating.usda"))
+    stage.SetTimeCodesPerSecond(24.0)
+    lift = UsdGeom.Xformable(stage.OverridePrim("/Walker")).AddTranslateOp(opSuffix="lift")
+    for code in (1.0, 73.0):
+        lift.Set(Gf.Vec3d(0.0, 40.0 * code, 0.0), code)
+    stage.GetRootLayer().Save()
+    flying = pipeline.normalize(tmp_path / "flying.usda", tmp_path / "none.usda")
+    assert not flying.motions[0].travellers
+    assert any("shows none either" in note for note in flying.notes)

@@ -288,3 +288,10 @@ def test_neither_input_is_taken_for_the_output(folder, body):
     for output in (source, target):
         with pytest.raises(FileError, match="no input is written to"):
             pipeline.retarget(source, target, output)
+
+
+def test_a_stage_shows_the_motion_it_was_given_and_no_more(folder):
+    shot, output = folder / "skating.usda", folder / "short.usda"
+    pipeline.retarget(shot, shot, output, frames=(10.0, 20.0), contacts=False)
+    stage = Usd.Stage.Open(str(output))
+    assert (stage.GetStartTimeCode(), stage.GetEndTimeCode()) == (10.0, 20.0)
