@@ -1,4 +1,4 @@
-"""What is told of a motion on another body: nothing that nobody knows, and one row for one thing."""
+"""What is told of a motion on another body: nothing that nobody knows, one row for one thing."""
 
 from rich.console import Console
 
