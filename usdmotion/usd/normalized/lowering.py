@@ -72,11 +72,13 @@ def on_ground(
         start, end = np.searchsorted(times, contact.held(times)).clip(0, len(times) - 1)
         low = heights[:, joint] <= most
         if low[start : end + 1].all():
-            kept.append(replace(each, constraint=replace(contact, kind="point")))
             high = np.flatnonzero(~low)
-            first = int(high[high < start].max(initial=-1)) + 1
-            last = int(high[high > end].min(initial=len(times))) - 1
-            held[body.parts.parts[joint], float(times[first]), float(times[last])] = None
+            first = times[int(high[high < start].max(initial=-1)) + 1]
+            last = times[int(high[high > end].min(initial=len(times))) - 1]
+            # It comes to its place while it is down already and not quite still.
+            eased = (min(contact.times[0], float(first)), *contact.times[1:])
+            kept.append(replace(each, constraint=replace(contact, kind="point", times=eased)))
+            held[body.parts.parts[joint], float(first), float(last)] = None
     return tuple(kept), list(held)
 
 
