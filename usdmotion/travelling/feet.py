@@ -68,7 +68,8 @@ def _behind_knees(
     ]
     up = rotate(conjugate(meanings.turn), np.array([0.0, 1.0, 0.0]))
     moved: dict[str, ContactConstraint] = {}
-    for name, part, foot in contacts_of_feet(travellers, meanings):
+    feet = list(contacts_of_feet(travellers, meanings))
+    for name, part, foot in feet:
         leg = [
             knee
             for joint, knee in knees
@@ -76,6 +77,8 @@ def _behind_knees(
         ]
         if not leg or foot.space.joint is not None or foot.location.ndim != 1:
             continue
+        if part.endswith(BALL) and _has_ankle(part[0], foot, feet, times):
+            continue  # It is a foot farther away than the ankle, which is a shank away.
         knee = max(leg, key=lambda each: _together(each, foot, times))
         shank = next(limb.lower for limb in body.limbs if limb.name == f"{part[0]}_hip")
         way = foot.location - knee.location
@@ -88,6 +91,18 @@ def _behind_knees(
     return tuple(
         replace(each, constraint=moved[each.name]) if each.name in moved else each
         for each in travellers
+    )
+
+
+def _has_ankle(
+    side: str,
+    ball: ContactConstraint,
+    feet: Sequence[tuple[str, str, ContactConstraint]],
+    times: Floats,
+) -> bool:
+    """Tell whether the ankle of a side is held while its ball is."""
+    return any(
+        part == f"{side}_{ANKLE}" and _together(ankle, ball, times) > 0.0 for _, part, ankle in feet
     )
 
 
