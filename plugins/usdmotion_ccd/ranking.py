@@ -24,6 +24,8 @@ REPAIRS = 8
 """How often everything above is made up for, after one move."""
 ENOUGH = 0.7
 """Where this share of a disturbance is left, another way to make up for it is tried."""
+SLOW = 0.1
+"""An iteration that takes no more of the squared error is followed by one of all joints."""
 STRAIGHT = 0.995
 """How long a limb may be made for a rank below its own, against its segments."""
 SLIGHTLY = 1e-3
@@ -92,7 +94,8 @@ def _cost(work: Work, frame: int, rank: int) -> float:
 def _solve_rank(work: Work, step: Step, frame: int, character: int, rank: int) -> int:
     """Move, from the extremities to the root, until a rank is met or comes no nearer.
 
-    The root comes in late, with all other joints: when turning them one by one does no more.
+    The root comes in late, with all other joints: when turning them one by one does little more.
+    From then on they are turned one by one only where all together bring nothing.
     """
     ranks, settings = work.ranks[0], work.settings[0]
     balances, late = ranks.balances[rank], ranks.coupled[rank]
@@ -101,8 +104,11 @@ def _solve_rank(work: Work, step: Step, frame: int, character: int, rank: int) -
         if worst(work, frame, rank) <= settings.tolerance:
             return iteration
         before = _cost(work, frame, rank)
-        if late and not balances and _all_together(work, step, frame, character, rank):
-            return iteration + 1
+        if late and not balances:
+            if _all_together(work, step, frame, character, rank):
+                return iteration + 1
+            if _cost(work, frame, rank) <= (1.0 - settings.settled) * before:
+                continue
         for move in range(ranks.first_move[rank], ranks.first_move[rank + 1]):
             for _ in range(_tries(work, character, rank, move, late)):
                 if not _attempt(work, step, frame, character, rank, move):
@@ -112,7 +118,8 @@ def _solve_rank(work: Work, step: Step, frame: int, character: int, rank: int) -
             if balances and work.moves[0].kind[move] == SHIFT:
                 if _all_together(work, step, frame, character, rank):
                     return iteration + 1
-        if _cost(work, frame, rank) > (1.0 - settings.settled) * before:
+        least = settings.settled if late else max(settings.settled, SLOW)
+        if _cost(work, frame, rank) > (1.0 - least) * before:
             if late:
                 return iteration + 1
             late = True
