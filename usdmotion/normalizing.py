@@ -167,7 +167,8 @@ def _look(
     detections = usd.author_feet(overlay.stage, joints, edit=edit)
     looked = search_over(overlay, Asked(joints=joints, edit=edit, guides=False), say=say)
     up = read_facts(overlay.stage).up
-    low = normalized.low_joints(recorded.character, recorded.body, up)
+    asked_for = {each.constraint.joint for each in recorded.luggage.travellers}
+    low = normalized.low_joints(recorded.character, recorded.body, up, asked_for)
     if not low:
         return detections, looked.notes
     others = usd.author_feet(overlay.stage, low, edit=edit)

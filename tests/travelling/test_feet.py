@@ -36,11 +36,10 @@ def put(body, *travellers):
     return [each.constraint.location for each in there]
 
 
-@pytest.mark.parametrize("part", ["l_talocrural", "l_metatarsophalangeal"])
-def test_the_foot_of_who_kneels_is_a_shank_behind_his_knee(body, part):
+def test_the_foot_of_who_kneels_is_a_shank_behind_his_knee(body):
     foot = KNEE + BEHIND
     knee, moved = put(
-        body, held(body, "l_knee", KNEE, (1.0, 2.0)), held(body, part, foot, (1.5, 3.0))
+        body, held(body, "l_knee", KNEE, (1.0, 2.0)), held(body, "l_talocrural", foot, (1.5, 3.0))
     )
     np.testing.assert_array_equal(knee, KNEE)
     assert np.linalg.norm(moved - KNEE) == pytest.approx(body.limbs[1].lower)

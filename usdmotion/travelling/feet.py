@@ -60,50 +60,56 @@ def with_own_feet(
 def _behind_knees(
     travellers: Sequence[Traveller], meanings: Meanings, body: Morphology, times: Floats
 ) -> tuple[Traveller, ...]:
-    """Return constraints whose feet are a shank away from the knees that are held meanwhile."""
+    """Return constraints whose ankles are a shank away from knees that are held meanwhile.
+
+    The ball of such a foot goes along.
+    """
     knees = [
         (part, knee)
         for part, knee in _contacts(travellers, meanings)
-        if part.endswith("_knee") and knee.space.joint is None and knee.location.ndim == 1
+        if part.endswith("_knee") and not knee.point.any() and _is_placed(knee)
     ]
     up = rotate(conjugate(meanings.turn), np.array([0.0, 1.0, 0.0]))
+    feet = [each for each in contacts_of_feet(travellers, meanings) if _is_placed(each[2])]
     moved: dict[str, ContactConstraint] = {}
-    feet = list(contacts_of_feet(travellers, meanings))
-    for name, part, foot in feet:
-        leg = [
-            knee
-            for joint, knee in knees
-            if joint[0] == part[0] and _together(knee, foot, times) > 0.0
-        ]
-        if not leg or foot.space.joint is not None or foot.location.ndim != 1:
+    for name, part, ankle in feet:
+        side, _, joint = part.partition("_")
+        leg = [knee for other, knee in knees if other == f"{side}_knee"]
+        knee = max(leg, key=lambda each: _together(each, ankle, times), default=None)
+        if joint != ANKLE or _is_of_ball(ankle, part, body) or knee is None:
             continue
-        if part.endswith(BALL) and _has_ankle(part[0], foot, feet, times):
-            continue  # It is a foot farther away than the ankle, which is a shank away.
-        knee = max(leg, key=lambda each: _together(each, foot, times))
-        shank = next(limb.lower for limb in body.limbs if limb.name == f"{part[0]}_hip")
-        way = foot.location - knee.location
-        rise = float(way @ up)
-        along = way - rise * up
-        far = np.sqrt(max(shank**2 - rise**2, 0.0))
-        if np.linalg.norm(along) > _BESIDE * shank:
-            place = knee.location + rise * up + far * along / np.linalg.norm(along)
-            moved[name] = replace(foot, location=place)
+        if _together(knee, ankle, times) <= 0.0:
+            continue
+        shank = next(limb.lower for limb in body.limbs if limb.name == f"{side}_hip")
+        step = _along(_place(ankle) - knee.location, shank, up)
+        for other, its, foot in feet:
+            is_ball = its == f"{side}_{BALL}" or (its[0] == side and _is_of_ball(foot, its, body))
+            goes_along = is_ball and _together(ankle, foot, times) > 0.0
+            if other == name or (goes_along and other not in moved):
+                moved[other] = replace(foot, location=foot.location + step)
     return tuple(
         replace(each, constraint=moved[each.name]) if each.name in moved else each
         for each in travellers
     )
 
 
-def _has_ankle(
-    side: str,
-    ball: ContactConstraint,
-    feet: Sequence[tuple[str, str, ContactConstraint]],
-    times: Floats,
-) -> bool:
-    """Tell whether the ankle of a side is held while its ball is."""
-    return any(
-        part == f"{side}_{ANKLE}" and _together(ankle, ball, times) > 0.0 for _, part, ankle in feet
-    )
+def _along(way: Floats, length: float, up: Floats) -> Floats:
+    """Return what makes a way as long as something, along the ground, where it leads along that."""
+    rise = float(way @ up)
+    level = way - rise * up
+    size = float(np.linalg.norm(level))
+    if size <= _BESIDE * length:
+        return np.zeros(3)
+    return np.asarray((np.sqrt(max(length**2 - rise**2, 0.0)) / size - 1.0) * level)
+
+
+def _is_placed(contact: ContactConstraint) -> bool:
+    return contact.space.joint is None and contact.location.ndim == 1 and contact.point.ndim == 1
+
+
+def _place(contact: ContactConstraint) -> Floats:
+    """Return where the joint of a contact is that says how that is turned [m], shape (3,)."""
+    return contact.location - rotate(contact.orientation, contact.point)
 
 
 def _contacts(

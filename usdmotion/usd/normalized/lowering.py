@@ -1,6 +1,6 @@
 """Knees and hands that come down to the ground, and may carry a body there."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -18,14 +18,21 @@ _NEAR = 0.1
 length of a leg."""
 
 
-def low_joints(character: Character, body: Morphology, up: Floats) -> tuple[str, ...]:
+def low_joints(
+    character: Character, body: Morphology, up: Floats, held: Collection[str] = ()
+) -> tuple[str, ...]:
     """Return the tokens of the knees and wrists that come near the ground at some time.
+
+    Where something is asked of any of them, who asked knows what carries the body: there are none.
 
     Args:
         character: Who moves.
         body: The body that it is.
         up: The direction away from the ground, shape (3,).
+        held: H-Anim names of the joints of which something is asked.
     """
+    if not set(held).isdisjoint(_PARTS):
+        return ()
     heights, most = _heights(character, body, up)
     joints = [joint for joint in map(body.parts.joint, _PARTS) if joint is not None]
     low = [joint for joint in joints if heights[:, joint].min() <= most]
