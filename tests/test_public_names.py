@@ -7,6 +7,7 @@ import pytest
 
 import usdmotion
 import usdmotion.kernels
+import usdmotion.s4d
 import usdmotion.testing
 
 NAMES = """
@@ -25,7 +26,7 @@ def test_the_public_names_are_these() -> None:
     assert dir(usdmotion) == sorted(NAMES)
 
 
-@pytest.mark.parametrize("module", [usdmotion, usdmotion.kernels, usdmotion.testing])
+@pytest.mark.parametrize("module", [usdmotion, usdmotion.kernels, usdmotion.s4d, usdmotion.testing])
 def test_every_public_name_is_there(module: object) -> None:
     names = module.__all__  # type: ignore[attr-defined]
     assert sorted(names) == sorted(set(names))

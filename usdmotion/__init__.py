@@ -1,6 +1,6 @@
 """Make captured motion fit the shot, in USD, without touching the original.
 
-These are the public names, for scripts and for plugins; `usdmotion.kernels` and
+These are the public names, for scripts and for plugins; `usdmotion.kernels`, `usdmotion.s4d` and
 `usdmotion.testing` are public too. Nothing is imported before it is asked for.
 """
 
