@@ -15,7 +15,8 @@ from scipy.spatial.transform import Rotation
 from usdmotion.arrays import Floats
 from usdmotion.demos.body import humanoid
 from usdmotion.demos.gait.pelvis import about, hip_offset
-from usdmotion.demos.gait.posture import local_rotations, two_segments
+from usdmotion.demos.gait.posture import local_rotations
+from usdmotion.demos.kick import leg
 from usdmotion.kernels import from_vector, multiply, rotate, to_vector
 from usdmotion.motion import Motion
 
@@ -26,7 +27,6 @@ RATE = 24.0
 _ANKLE_HEIGHT = 0.0663
 _LEFT_STANDS = np.array((0.08, _ANKLE_HEIGHT, 0.12))
 _RIGHT_STANDS = (-0.09, _ANKLE_HEIGHT, -0.16)
-_TOES_OUT = {"Left": 15.0, "Right": -20.0}
 _ELBOWS = np.array((0.45, -1.0, -0.35))
 """Where elbows point, in the chest's frame: out, up, ahead."""
 
@@ -235,22 +235,8 @@ def _world_rotations(gesture: Gesture, times: Floats) -> dict[str, Floats]:
         ("Right", -1, ankle[:, :3], ankle[:, 3]),
     ):
         hip = pelvis + rotate(hips, HEIGHT * hip_offset(side))
-        rotations |= _leg((foot - hip) / HEIGHT, pitch, name)
+        rotations |= leg((foot - hip) / HEIGHT, pitch, name)
     return rotations
-
-
-def _leg(way: Floats, pitch: Floats, name: str) -> dict[str, Floats]:
-    """Return a leg that spans a way, lengths as fractions of the height, and its foot."""
-    heading = about(1, np.full_like(pitch, _TOES_OUT[name]))
-    # Ahead and up: a leg may be level here, and its knee still knows where to point.
-    thigh, shank = two_segments(way, rotate(heading, np.array((0.0, 0.7, 0.7))))
-    foot = multiply(heading, about(0, pitch))
-    return {
-        f"{name}UpLeg": thigh,
-        f"{name}Leg": shank,
-        f"{name}Foot": foot,
-        f"{name}ToeBase": foot,
-    }
 
 
 def _arm(chest: Floats, wrist: Floats, name: str, side: int) -> dict[str, Floats]:

@@ -134,7 +134,7 @@ def _world_rotations(pelvis: Floats, ankle: Floats, angles: Floats) -> dict[str,
     ):
         rotations |= _arm(chest, angles[5], name, side)
         hip = pelvis + rotate(hips, HEIGHT * hip_offset(side))
-        rotations |= _leg((foot - hip) / HEIGHT, pitch, name)
+        rotations |= leg((foot - hip) / HEIGHT, pitch, name)
     return rotations
 
 
@@ -151,7 +151,7 @@ def _arm(chest: Floats, bend: Floats, name: str, side: int) -> dict[str, Floats]
     }
 
 
-def _leg(way: Floats, pitch: Floats, name: str) -> dict[str, Floats]:
+def leg(way: Floats, pitch: Floats, name: str) -> dict[str, Floats]:
     """Return a leg that spans a way, lengths as fractions of the height, and its foot."""
     heading = about(1, np.full_like(pitch, _TOES_OUT[name]))
     # Ahead and up: a leg may be level here, and its knee still knows where to point.

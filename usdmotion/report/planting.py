@@ -106,18 +106,27 @@ class PlantingReport:
         told = [each.sentence for each in self.kept]
         if not self.feet:
             return ["no foot was found to stand", *told]
-        table = Table(title="foot slide during contacts", title_justify="left")
-        table.add_column("joint")
-        for heading in ("contacts", "worst before", "after", "mean before", "after"):
-            table.add_column(heading, justify="right")
+        table = slide_table("foot slide during contacts")
         for each in self.feet:
             slides = (each.worst_before, each.worst_after, each.mean_before, each.mean_after)
-            table.add_row(
-                each.joint.rsplit("/", 1)[-1],
-                str(each.contacts),
-                *(f"{slide * 1e3:.2f} mm" for slide in slides),
-            )
+            table.add_row(each.joint.rsplit("/", 1)[-1], *slide_cells(each.contacts, slides))
         return [table, *told]
+
+
+def slide_table(title: str) -> Table:
+    """Return a table without rows of how far feet slide before and after."""
+    table = Table(title=title, title_justify="left")
+    table.add_column("joint")
+    for heading in ("contacts", "worst before", "after", "mean before", "after"):
+        table.add_column(heading, justify="right")
+    return table
+
+
+def slide_cells(contacts: int, slides: Sequence[float | None]) -> Iterator[str]:
+    """Yield what a row of it says of a joint: its contacts, and slides [m], None for unknown."""
+    yield str(contacts)
+    for slide in slides:
+        yield "—" if slide is None else f"{slide * 1e3:.2f} mm"
 
 
 def slide_of(cast: Cast, contact: ContactConstraint, when: Bools, pose: Pose) -> float:

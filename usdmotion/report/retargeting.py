@@ -10,7 +10,7 @@ from rich.table import Table
 from usdmotion.cast import Cast
 from usdmotion.constraints import ContactConstraint
 from usdmotion.report.normalizing import TravellerReport, travellers_table
-from usdmotion.report.planting import Pose, slide_of
+from usdmotion.report.planting import Pose, slide_cells, slide_of, slide_table
 from usdmotion.report.verdict import EditReport, Report
 
 
@@ -165,17 +165,13 @@ def _slide(part: str, pairs: np.ndarray) -> SlideReport:
 def _slides(slides: Sequence[SlideReport]) -> list[Table]:
     if not slides:
         return []
-    table = Table(title="foot slide during the contacts of the source", title_justify="left")
+    table = slide_table("foot slide during the contacts of the source")
     if any(each.worst_before is None for each in slides):
         table.caption = "—: nobody knows the body that the motion was recorded on"
         table.caption_justify = "left"
-    table.add_column("joint")
-    for heading in ("contacts", "worst before", "after", "mean before", "after"):
-        table.add_column(heading, justify="right")
     for each in slides:
         lengths = (each.worst_before, each.worst_after, each.mean_before, each.mean_after)
-        shown = ("—" if length is None else f"{length * 1e3:.2f} mm" for length in lengths)
-        table.add_row(each.part, str(each.contacts), *shown)
+        table.add_row(each.part, *slide_cells(each.contacts, lengths))
     return [table]
 
 
