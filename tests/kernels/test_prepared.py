@@ -1,10 +1,15 @@
 """A prepared call does what a call does, whatever becomes of what it was made with."""
 
 import gc
+import os
+import subprocess
+import sys
 import tracemalloc
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+import pytest
 
 from usdmotion.arrays import Floats
 from usdmotion.kernels import Prepared, Reference, apart
@@ -61,3 +66,41 @@ def test_a_call_allocates_nothing() -> None:
     kept = tracemalloc.get_traced_memory()[0] - before
     tracemalloc.stop()
     assert kept < 100
+
+
+GUEST = """
+from typing import NamedTuple
+import numpy as np
+from usdmotion.arrays import Floats
+from usdmotion.kernels import Prepared, Reference, apart
+
+class Own{name}(NamedTuple):
+    values: Floats
+
+def add(own: Reference[Own{name}], by: int) -> None:
+    own[0].values[0] += by
+
+own = Own{name}(np.zeros(1))
+Prepared(apart(add, own=own), own)(7)
+print(own.values[0])
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("shared", ["XDG_CACHE_HOME", "NUMBA_CACHE_DIR"])
+def test_what_one_plugin_leaves_on_disk_is_no_burden_where_it_is_not_installed(
+    tmp_path: Path, shared: str
+) -> None:
+    for name in ("First", "Second"):
+        folder = tmp_path / name
+        folder.mkdir()
+        (folder / f"{name.lower()}.py").write_text(GUEST.format(name=name))
+        done = subprocess.run(
+            [sys.executable, "-c", f"import {name.lower()}"],
+            env=os.environ | {shared: str(tmp_path / "cache")},
+            cwd=folder,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert done.stdout == "7.0\n", done.stderr

@@ -1,8 +1,12 @@
 """Calls of what was compiled, for who makes many: a microsecond each, and nothing allocated."""
 
 import ctypes
+from collections.abc import Callable
+from functools import cache
+from types import FunctionType
 from typing import Any
 
+import numba
 import numpy as np
 from numba import types
 from numba.core import cgutils
@@ -10,7 +14,7 @@ from numba.extending import intrinsic
 from numba.np.arrayobj import make_array
 
 from usdmotion.arrays import Bools
-from usdmotion.kernels.compiling import kernel
+from usdmotion.kernels.compiling import OPTIONS, cached_beside
 
 
 class Prepared:
@@ -28,8 +32,9 @@ class Prepared:
             value: What the reference refers to.
         """
         self._value = value
-        self._memory = np.zeros(_keep(value, np.zeros(0, dtype=np.bool_)), dtype=np.bool_)
-        _keep(value, self._memory)
+        keep = _keeping(function.__wrapped__)
+        self._memory = np.zeros(keep(value, np.zeros(0, dtype=np.bool_)), dtype=np.bool_)
+        keep(value, self._memory)
         self._address = self._memory.ctypes.data
         numbers = len(function._sig.args) - 1
         kind = ctypes.CFUNCTYPE(None, ctypes.c_void_p, *numbers * [ctypes.c_int64])
@@ -40,7 +45,19 @@ class Prepared:
         self._call(self._address, *numbers)
 
 
-@kernel
+@cache
+def _keeping(owner: Callable[..., Any]) -> Any:
+    """Return `_keep`, compiled for the types of the module of a function.
+
+    What is on disk says for which types it is, and cannot be read where their module is not known.
+    So each module has its own.
+    """
+    own = FunctionType(_keep.__code__, _keep.__globals__, _keep.__name__)
+    own.__qualname__ = f"{_keep.__name__}_{owner.__module__.replace('.', '_')}"
+    with cached_beside(owner):
+        return numba.njit(cache=True, no_cfunc_wrapper=True, **OPTIONS)(own)
+
+
 def _keep(value: Any, memory: Bools) -> int:
     """Write a value to memory, (S,), as kernels have it, if there is room; return its size."""
     size: int = _size(value)
