@@ -29,7 +29,7 @@ def turned_apart(a: Floats, b: Floats) -> float:
     return float(np.degrees(2.0 * np.arccos(np.clip(cosine, 0.0, 1.0))).max())
 
 
-def same(one: NormalizedMotion, other: NormalizedMotion, *, degrees: float = 1e-4) -> None:
+def assert_same(one: NormalizedMotion, other: NormalizedMotion, *, degrees: float = 1e-4) -> None:
     assert one.segments == other.segments
     assert one.limbs == other.limbs
     for name in ROTATIONS:
@@ -50,7 +50,7 @@ def test_it_does_not_matter_what_carries_the_skeleton(body: Morphology, where: s
     moved[:, 0] = rotate(conjugate(rotations), moved[:, 0] - place)
     turned[:, 0] = multiply(conjugate(rotations), turned[:, 0])
     elsewhere = normalize(Motion(motion.times, moved, turned), space, body, up=UP)
-    same(taken(motion, body), elsewhere)
+    assert_same(taken(motion, body), elsewhere)
 
 
 def test_it_does_not_matter_which_axis_is_up(body: Morphology) -> None:
@@ -58,7 +58,7 @@ def test_it_does_not_matter_which_axis_is_up(body: Morphology) -> None:
     to_z_up = np.tile(from_vector(np.array((np.pi / 2.0, 0.0, 0.0))), (motion.frame_count, 1))
     space = Placement(np.zeros((motion.frame_count, 3)), to_z_up)
     z_up = normalize(motion, space, body, up=np.array((0.0, 0.0, 1.0)))
-    same(taken(motion, body), z_up)
+    assert_same(taken(motion, body), z_up)
     metres, degrees = apart(
         body.skeleton, motion, restore(z_up, body, space, up=np.array((0.0, 0.0, 1.0)))
     )
@@ -72,7 +72,7 @@ def test_a_body_of_another_size_moves_the_same(body: Morphology, scale: float) -
     small = replace(shape, rest_translations=scale * shape.rest_translations)
     scaled = Motion(motion.times, scale * motion.translations, motion.rotations)
     other = Morphology.of(small, body.parts)
-    same(taken(motion, body), taken(scaled, other))
+    assert_same(taken(motion, body), taken(scaled, other))
     metres, degrees = apart(small, scaled, put(taken(motion, body), other))
     assert metres < 1e-9
     assert degrees < 1e-6
@@ -95,7 +95,9 @@ def test_it_does_not_matter_how_the_axes_of_joints_lie(body: Morphology) -> None
     )
     other = Morphology.of(strange, body.parts)
     moved = rotate(conjugate(above), motion.translations)
-    same(taken(motion, body), taken(Motion(motion.times, moved, seen(motion.rotations)), other))
+    assert_same(
+        taken(motion, body), taken(Motion(motion.times, moved, seen(motion.rotations)), other)
+    )
 
 
 RESTS = {
@@ -122,7 +124,7 @@ def test_it_does_not_matter_in_which_pose_the_body_rests(body: Morphology, pose:
         joint = body.joint(part)
         rotations[joint] = multiply(rotations[joint], from_vector(np.array(turn)))
     other = Morphology.of(replace(shape, rest_rotations=rotations), body.parts)
-    same(taken(motion, body), taken(motion, other))
+    assert_same(taken(motion, body), taken(motion, other))
 
 
 def test_a_rest_of_lengths_only_is_told_by_the_motion(body: Morphology) -> None:
