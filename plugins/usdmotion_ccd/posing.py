@@ -148,15 +148,25 @@ def _outside(joints: Reference[Tree], node: int, vector: Any) -> Vector:
 
 
 @shared
-def take_input(work: Work, frame: int, character: int) -> None:
-    """Start from the input motion, within the limits of the joints."""
-    tree, pose, given = work.tree[0], work.pose[0], work.given[0]
+def _copy(work: Work, character: int, here: Any, turns: Any, there: Any, own: Any) -> None:
+    """(N, 3), (N, 4) into (N, 3), (N, 4): the nodes of a character that matter."""
+    tree = work.tree[0]
     for index in range(tree.first[character], tree.first[character + 1]):
         node = tree.order[index]
         for axis in range(3):
-            pose.translations[node, axis] = given.translations[frame, node, axis]
+            there[node, axis] = here[node, axis]
         for axis in range(4):
-            pose.rotations[node, axis] = given.rotations[frame, node, axis]
+            own[node, axis] = turns[node, axis]
+
+
+@shared
+def take_input(work: Work, frame: int, character: int) -> None:
+    """Start from the input motion, within the limits of the joints."""
+    tree, pose, given = work.tree[0], work.pose[0], work.given[0]
+    here, turns = given.translations[frame], given.rotations[frame]
+    _copy(work, character, here, turns, pose.translations, pose.rotations)
+    for index in range(tree.first[character], tree.first[character + 1]):
+        node = tree.order[index]
         if tree.limited[node]:
             own = within(work.tree, node, quaternion_at(pose.rotations, node))
             for axis in range(4):
@@ -167,13 +177,9 @@ def take_input(work: Work, frame: int, character: int) -> None:
 @shared
 def give_output(work: Work, frame: int, character: int) -> None:
     """Write the pose down."""
-    tree, pose, found = work.tree[0], work.pose[0], work.found[0]
-    for index in range(tree.first[character], tree.first[character + 1]):
-        node = tree.order[index]
-        for axis in range(3):
-            found.translations[frame, node, axis] = pose.translations[node, axis]
-        for axis in range(4):
-            found.rotations[frame, node, axis] = pose.rotations[node, axis]
+    pose, found = work.pose[0], work.found[0]
+    there, own = found.translations[frame], found.rotations[frame]
+    _copy(work, character, pose.translations, pose.rotations, there, own)
 
 
 @shared
@@ -195,25 +201,17 @@ def give_rest(work: Work, frame: int, first: int, last: int) -> None:
 @shared
 def save(work: Work, character: int, slot: int) -> None:
     """Keep the pose of a character to come back to it."""
-    tree, pose, saved = work.tree[0], work.pose[0], work.saved[0]
-    for index in range(tree.first[character], tree.first[character + 1]):
-        node = tree.order[index]
-        for axis in range(3):
-            saved.translations[slot, node, axis] = pose.translations[node, axis]
-        for axis in range(4):
-            saved.rotations[slot, node, axis] = pose.rotations[node, axis]
+    pose, saved = work.pose[0], work.saved[0]
+    there, own = saved.translations[slot], saved.rotations[slot]
+    _copy(work, character, pose.translations, pose.rotations, there, own)
 
 
 @shared
 def restore(work: Work, character: int, slot: int) -> None:
     """Come back to a saved pose."""
-    tree, pose, saved = work.tree[0], work.pose[0], work.saved[0]
-    for index in range(tree.first[character], tree.first[character + 1]):
-        node = tree.order[index]
-        for axis in range(3):
-            pose.translations[node, axis] = saved.translations[slot, node, axis]
-        for axis in range(4):
-            pose.rotations[node, axis] = saved.rotations[slot, node, axis]
+    pose, saved = work.pose[0], work.saved[0]
+    here, turns = saved.translations[slot], saved.rotations[slot]
+    _copy(work, character, here, turns, pose.translations, pose.rotations)
     place_character(work, character)
 
 
