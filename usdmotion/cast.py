@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from usdmotion.arrays import Bools, Floats, Ints, seal
 from usdmotion.errors import SceneError
 from usdmotion.humanoid import PartMap
+from usdmotion.humanoid.parts import LEG
 from usdmotion.kernels import beyond_limits, forward, limit_boxes
 from usdmotion.motion import Body, Motion, Placement, Skeleton
 
@@ -36,6 +37,19 @@ class Character:
     """Where the body's masses are from, as a report says it."""
     parts: PartMap | None = None
     """Which joint is which part of a human body; None where that is not sure."""
+
+    @cached_property
+    def leg_length(self) -> float:
+        """The length of a leg at rest [m]; without a known leg, half of what the rest spans."""
+        skeleton, parts = self.skeleton, self.parts
+        hip, ankle = (parts.joint(f"l_{each}") if parts else None for each in (LEG[0], LEG[2]))
+        if hip is None or ankle is None:
+            spans = np.linalg.norm(skeleton.rest_translations, axis=1)
+            chains = [spans[list(skeleton.chain(joint))[:-1]].sum() for joint in range(len(spans))]
+            return float(max(0.5 * max(chains), 1e-6))
+        chain = skeleton.chain(ankle)
+        below = list(chain[: chain.index(hip)])
+        return float(np.linalg.norm(skeleton.rest_translations[below], axis=1).sum())
 
     def during(self, frames: slice) -> "Character":
         """Return the character on some of its frames."""

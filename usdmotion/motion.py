@@ -8,6 +8,9 @@ import numpy as np
 from usdmotion.arrays import Floats, Ints, seal
 from usdmotion.errors import SceneError
 
+WorldPose = tuple[Floats, Floats]
+"""World positions [m] and orientations (xyzw) of some joints, the last axes 3 and 4."""
+
 
 @dataclass(frozen=True, eq=False)
 class Skeleton:

@@ -11,9 +11,10 @@ from usdmotion.answering import Say, results_of, solved_scenes
 from usdmotion.asking import Asked
 from usdmotion.errors import SceneError
 from usdmotion.kernels import forward
+from usdmotion.motion import WorldPose
 from usdmotion.plugins import host
 from usdmotion.report.cautions import not_held, not_still
-from usdmotion.report.planting import FootReport, KeptReport, PlantingReport, Pose, feet_of, kept_of
+from usdmotion.report.planting import FootReport, KeptReport, PlantingReport, feet_of, kept_of
 from usdmotion.report.verdict import EditReport
 from usdmotion.searching import search_over
 from usdmotion.solved import SolvedScene
@@ -137,6 +138,6 @@ def _became(
     return tuple(feet), tuple(kept)
 
 
-def _pose(solved: SolvedScene) -> Pose:
+def _pose(solved: SolvedScene) -> WorldPose:
     cast, solution = solved.scene.cast, solved.solution
     return forward(cast.parents, solution.translations, solution.rotations)

@@ -13,12 +13,11 @@ from usdmotion.answering import Say, results_of, solved_scenes
 from usdmotion.arrays import Floats
 from usdmotion.cast import Cast
 from usdmotion.errors import SceneError
-from usdmotion.motion import Motion
+from usdmotion.motion import Motion, WorldPose
 from usdmotion.normalizing import Choice, take_off
 from usdmotion.plugins import host
 from usdmotion.report.mapping import mapped_of
 from usdmotion.report.normalizing import travellers_of
-from usdmotion.report.planting import Pose
 from usdmotion.report.retargeting import RetargetingReport, SlideReport, slides_of
 from usdmotion.s4d import hinged, restore, stand
 from usdmotion.solved import SolvedScene
@@ -283,7 +282,7 @@ def _slid(
     """Return how far feet slide during their contacts, before and after."""
     character = replace(put.target.sitting.character, motion=put.motion)
     after = Cast.of([character])
-    pose: Pose = after.positions, after.orientations
+    pose: WorldPose = after.positions, after.orientations
     if scenes:
         solved = scenes[0].motion(put.target.path)
         if solved.frame_count == after.frame_count:

@@ -8,7 +8,7 @@ import pytest
 from usdmotion import PositionConstraint
 from usdmotion.constraints import ContactConstraint
 from usdmotion.kernels import forward
-from usdmotion.report.feet import footings, leg_length
+from usdmotion.report.feet import footings
 from usdmotion.testing import HUMANOID, humanoid_scene
 
 
@@ -75,6 +75,6 @@ def test_contacts_say_themselves_when_they_hold(outcome):
 
 def test_a_leg_is_as_long_as_its_bones_and_else_half_a_body(outcome):
     (whole,) = outcome().scene.characters
-    assert leg_length(whole) == pytest.approx(0.84)
-    unknown = leg_length(replace(whole, parts=None))
+    assert whole.leg_length == pytest.approx(0.84)
+    unknown = replace(whole, parts=None).leg_length
     assert 0.3 < unknown < 0.9

@@ -7,10 +7,10 @@ import pytest
 
 from usdmotion import Goal, PositionConstraint
 from usdmotion.constraints import CenterOfMassConstraint
+from usdmotion.drawing.mannequin import Camera, Mannequin, facing, outlines
+from usdmotion.drawing.style import stretches, thinned
 from usdmotion.report.findings import findings_of
 from usdmotion.report.pictures import drawing, pictures_of, postures_of
-from usdmotion.report.pictures.mannequin import Camera, Mannequin, facing, outlines
-from usdmotion.report.pictures.style import stretches, thinned
 from usdmotion.testing import HUMANOID
 
 UP = np.array([0.0, 1.0, 0.0])

@@ -11,11 +11,10 @@ from usdmotion.constraints import Constraint, ContactConstraint, PositionConstra
 from usdmotion.humanoid import PartMap
 from usdmotion.humanoid.parts import LEG
 from usdmotion.kernels import world_points
+from usdmotion.motion import WorldPose
 from usdmotion.quality import runs, slide, standing
 from usdmotion.scene import Edit, Scene
 
-Pose = tuple[Floats, Floats]
-"""World positions and orientations of all nodes on every frame."""
 _SIDES = {"l": "left", "r": "right"}
 
 
@@ -54,7 +53,7 @@ class _Point:
     """When it stands, where a contact says so."""
 
 
-def footings(scene: Scene, edit: Edit, solved: Pose) -> tuple[Footing, ...]:
+def footings(scene: Scene, edit: Edit, solved: WorldPose) -> tuple[Footing, ...]:
     """Return the points of one character's feet.
 
     They are what contacts and position constraints hold on the feet, else ankles and toes, as the
@@ -77,19 +76,6 @@ def footings(scene: Scene, edit: Edit, solved: Pose) -> tuple[Footing, ...]:
         for index, point in enumerate(points)
     ]
     return tuple(each for each in found if each.stands.any())
-
-
-def leg_length(character: Character) -> float:
-    """Return the length of a leg at rest [m]; without a known leg, half of what the rest spans."""
-    skeleton, parts = character.skeleton, character.parts
-    hip, ankle = (parts.joint(f"l_{each}") if parts else None for each in (LEG[0], LEG[2]))
-    if hip is None or ankle is None:
-        lengths = np.linalg.norm(skeleton.rest_translations, axis=1)
-        chains = [lengths[list(skeleton.chain(joint))[:-1]].sum() for joint in range(len(lengths))]
-        return float(max(0.5 * max(chains), 1e-6))
-    chain = skeleton.chain(ankle)
-    below = list(chain[: chain.index(hip)])
-    return float(np.linalg.norm(skeleton.rest_translations[below], axis=1).sum())
 
 
 def _points(cast: Cast, character: Character, constraints: Sequence[Constraint]) -> list[_Point]:
@@ -142,7 +128,7 @@ def _ankles(parts: PartMap | None) -> list[int | None]:
     return [parts.joint(f"{side}_{LEG[2]}") if parts else None for side in _SIDES]
 
 
-def _places(points: Sequence[_Point], pose: Pose) -> Floats:
+def _places(points: Sequence[_Point], pose: WorldPose) -> Floats:
     """Return where points are in a pose of all nodes [m], shape (frame_count, point_count, 3)."""
     positions, orientations = pose
     places = np.zeros((len(positions), len(points), 3))
@@ -166,7 +152,7 @@ def _stands(scene: Scene, character: Character, points: Sequence[_Point], before
             cast.positions[:, nodes],
             np.minimum(feet, len(ankles) - 1),
             scene.up,
-            leg_length(character),
+            character.leg_length,
         )
     for index, point in enumerate(points):
         if point.stands is not None:

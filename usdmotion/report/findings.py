@@ -11,9 +11,10 @@ from usdmotion.cast import Character
 from usdmotion.constraints import CenterOfMassConstraint, Constraint
 from usdmotion.kernels import conjugate, forward, multiply, to_vector, world_points
 from usdmotion.measuring import measure, tolerance
+from usdmotion.motion import WorldPose
 from usdmotion.outcome import Outcome, Record
 from usdmotion.quality import along_ground, center_of_mass, jerk
-from usdmotion.report.feet import Footing, Pose, footings
+from usdmotion.report.feet import Footing, footings
 from usdmotion.report.verdict import ConstraintReport, judged
 from usdmotion.scene import Edit, Scene
 
@@ -114,9 +115,9 @@ class Findings:
     """What became of one scene."""
 
     scene: Scene
-    before: Pose
+    before: WorldPose
     """The input."""
-    after: Pose
+    after: WorldPose
     """The result."""
     edits: tuple[EditFindings, ...]
     notes: tuple[str, ...]
@@ -174,7 +175,7 @@ def _goal_activity(scene: Scene, constraint: Constraint) -> Floats:
 
 
 def _edit(
-    outcome: Outcome, edit: Edit, record: Record, traces: Sequence[Trace], after: Pose
+    outcome: Outcome, edit: Edit, record: Record, traces: Sequence[Trace], after: WorldPose
 ) -> EditFindings:
     scene, cast, solution = outcome.scene, outcome.scene.cast, outcome.solution
     character = scene.character(edit.skeleton)
@@ -209,7 +210,7 @@ def _smoothness(
 
 
 def _balance(
-    scene: Scene, edit: Edit, feet: Sequence[Footing], after: Pose, joints: slice
+    scene: Scene, edit: Edit, feet: Sequence[Footing], after: WorldPose, joints: slice
 ) -> Balance | None:
     cast = scene.cast
     masses, centers = cast.masses[joints], cast.mass_centers[joints]
@@ -223,7 +224,7 @@ def _balance(
 
 
 def _supports(
-    scene: Scene, edit: Edit, feet: Sequence[Footing], poses: tuple[Pose, Pose]
+    scene: Scene, edit: Edit, feet: Sequence[Footing], poses: tuple[WorldPose, WorldPose]
 ) -> list[Floats] | None:
     """Return the middle of what the centre of mass should be over, in each pose.
 

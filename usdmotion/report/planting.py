@@ -11,6 +11,7 @@ from usdmotion.arrays import Bools, Floats
 from usdmotion.cast import Cast
 from usdmotion.constraints import ContactConstraint
 from usdmotion.kernels import world_points
+from usdmotion.motion import WorldPose
 from usdmotion.quality import jerk
 from usdmotion.report.contacts import ObjectReport
 from usdmotion.report.verdict import EditReport
@@ -18,8 +19,6 @@ from usdmotion.scene import Edit, Scene
 
 AWAY = 0.25
 """So long before and after every contact the motion is to be as it was [s]."""
-Pose = tuple[Floats, Floats]
-"""World positions and orientations of all nodes on every frame."""
 
 
 @dataclass(frozen=True)
@@ -129,7 +128,7 @@ def slide_cells(contacts: int, slides: Sequence[float | None]) -> Iterator[str]:
         yield "—" if slide is None else f"{slide * 1e3:.2f} mm"
 
 
-def slide_of(cast: Cast, contact: ContactConstraint, when: Bools, pose: Pose) -> float:
+def slide_of(cast: Cast, contact: ContactConstraint, when: Bools, pose: WorldPose) -> float:
     """Return how far what a contact holds is from its mean place at most [m].
 
     Args:
@@ -145,7 +144,7 @@ def slide_of(cast: Cast, contact: ContactConstraint, when: Bools, pose: Pose) ->
 
 
 def feet_of(
-    scene: Scene, edit: Edit, solved: Pose, detections: Sequence[str]
+    scene: Scene, edit: Edit, solved: WorldPose, detections: Sequence[str]
 ) -> Iterator[FootReport]:
     """Yield what became of the joints of feet of one edit.
 
@@ -181,7 +180,7 @@ def feet_of(
             )
 
 
-def kept_of(scene: Scene, edit: Edit, solved: Pose) -> KeptReport:
+def kept_of(scene: Scene, edit: Edit, solved: WorldPose) -> KeptReport:
     """Return how much of the motion of an edit's skeleton was kept."""
     cast, times = scene.cast, scene.times
     nodes = [cast.index[joint] for joint in cast.joints if joint[0] == edit.skeleton and joint[1]]

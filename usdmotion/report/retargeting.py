@@ -9,8 +9,9 @@ from rich.table import Table
 
 from usdmotion.cast import Cast
 from usdmotion.constraints import ContactConstraint
+from usdmotion.motion import WorldPose
 from usdmotion.report.normalizing import TravellerReport, travellers_table
-from usdmotion.report.planting import Pose, slide_cells, slide_of, slide_table
+from usdmotion.report.planting import slide_cells, slide_of, slide_table
 from usdmotion.report.verdict import EditReport, Report
 
 
@@ -126,7 +127,7 @@ class RetargetingReport:
 def slides_of(
     before: Cast | None,
     after: Cast,
-    solved: Pose,
+    solved: WorldPose,
     contacts: Sequence[tuple[str, ContactConstraint | None, ContactConstraint]],
 ) -> tuple[SlideReport, ...]:
     """Return how feet slide while they are in contact.

@@ -5,6 +5,7 @@ Draw inside `drawing()`, which gives them their style.
 
 from collections.abc import Iterator, Sequence
 
+from usdmotion.drawing.style import Picture, drawing, require_matplotlib
 from usdmotion.outcome import Outcome
 from usdmotion.report.findings import EditFindings, Findings
 from usdmotion.report.moments import marks, moments
@@ -15,7 +16,6 @@ from usdmotion.report.pictures.feet import feet
 from usdmotion.report.pictures.overview import overview
 from usdmotion.report.pictures.postures import posture
 from usdmotion.report.pictures.smoothness import smoothness
-from usdmotion.report.pictures.style import Picture, drawing, require_matplotlib
 
 __all__ = ["Picture", "drawing", "pictures_of", "postures_of", "require_matplotlib"]
 

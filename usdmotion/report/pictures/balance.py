@@ -5,9 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.report.findings import Balance, EditFindings, Findings
-from usdmotion.report.pictures.mannequin import Camera, facing
-from usdmotion.report.pictures.style import (
+from usdmotion.drawing.mannequin import Camera, facing
+from usdmotion.drawing.style import (
     AFTER,
     BEFORE,
     INK,
@@ -17,6 +16,7 @@ from usdmotion.report.pictures.style import (
     thinned,
     time_axis,
 )
+from usdmotion.report.findings import Balance, EditFindings, Findings
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

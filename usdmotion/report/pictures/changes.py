@@ -5,8 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from usdmotion.arrays import Ints
-from usdmotion.report.findings import EditFindings, Findings
-from usdmotion.report.pictures.style import (
+from usdmotion.drawing.style import (
     AFTER,
     PALE,
     Picture,
@@ -14,6 +13,7 @@ from usdmotion.report.pictures.style import (
     thinned,
     time_axis,
 )
+from usdmotion.report.findings import EditFindings, Findings
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.report.findings import EditFindings, Findings, Trace
-from usdmotion.report.pictures.style import (
+from usdmotion.drawing.style import (
     AFTER,
     INK,
     MISSED,
@@ -18,6 +17,7 @@ from usdmotion.report.pictures.style import (
     thinned,
     time_axis,
 )
+from usdmotion.report.findings import EditFindings, Findings, Trace
 from usdmotion.report.wording import amount
 
 if TYPE_CHECKING:

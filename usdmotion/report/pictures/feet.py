@@ -5,10 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.quality import LOW, SHORTEST, SLOW
-from usdmotion.report.feet import Footing
-from usdmotion.report.findings import EditFindings, Findings
-from usdmotion.report.pictures.style import (
+from usdmotion.drawing.style import (
     AFTER,
     BEFORE,
     SOFT,
@@ -19,6 +16,9 @@ from usdmotion.report.pictures.style import (
     thinned,
     time_axis,
 )
+from usdmotion.quality import LOW, SHORTEST, SLOW
+from usdmotion.report.feet import Footing
+from usdmotion.report.findings import EditFindings, Findings
 from usdmotion.report.wording import amount
 
 if TYPE_CHECKING:

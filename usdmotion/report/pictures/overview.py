@@ -5,12 +5,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.quality import along_ground, ground_height
-from usdmotion.report.feet import Pose
-from usdmotion.report.findings import EditFindings, Findings, Trace
-from usdmotion.report.pictures.mannequin import Camera, Mannequin, facing
-from usdmotion.report.pictures.posture_drawing import Kind, draw_body
-from usdmotion.report.pictures.style import (
+from usdmotion.drawing.bodies import Kind, draw_body
+from usdmotion.drawing.mannequin import Camera, Mannequin, facing
+from usdmotion.drawing.style import (
     AFTER,
     INK,
     LINE,
@@ -23,6 +20,9 @@ from usdmotion.report.pictures.style import (
     stretches,
     time_axis,
 )
+from usdmotion.motion import WorldPose
+from usdmotion.quality import along_ground, ground_height
+from usdmotion.report.findings import EditFindings, Findings, Trace
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -76,7 +76,10 @@ def _postures(axes: "Axes", findings: Findings, edit: EditFindings) -> None:
     scale = (_STRIP - _SOLES - 0.1) / max(highest * 1.12, 1e-6)
     span = max(float(np.ptp(codes)), 1e-9)
     changed = edit.moved.max(axis=1) > _SEEN
-    poses: tuple[tuple[Kind, Pose], ...] = (("before", findings.before), ("after", findings.after))
+    poses: tuple[tuple[Kind, WorldPose], ...] = (
+        ("before", findings.before),
+        ("after", findings.after),
+    )
     for frame in frames:
         here = (wide * float(codes[frame] - codes[0]) / span, _SOLES)
         origin = along_ground(before[frame, character.root], up) + ground * up

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from usdmotion.arrays import Floats
+from usdmotion.drawing.bodies import Kind, draw_body
+from usdmotion.drawing.mannequin import Camera, Mannequin, facing
+from usdmotion.drawing.style import GOAL, INK, MISSED, SUPPORT, Picture, figure
 from usdmotion.quality import ground_height
 from usdmotion.report.findings import Findings
 from usdmotion.report.moments import Mark, Moment
-from usdmotion.report.pictures.mannequin import Camera, Mannequin, facing
-from usdmotion.report.pictures.posture_drawing import Kind, draw_body
-from usdmotion.report.pictures.style import GOAL, INK, MISSED, SUPPORT, Picture, figure
 from usdmotion.report.wording import amount
 
 if TYPE_CHECKING:

@@ -4,8 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from usdmotion.report.findings import EditFindings, Findings, Smoothness
-from usdmotion.report.pictures.style import (
+from usdmotion.drawing.style import (
     AFTER,
     BEFORE,
     LINE,
@@ -14,6 +13,7 @@ from usdmotion.report.pictures.style import (
     thinned,
     time_axis,
 )
+from usdmotion.report.findings import EditFindings, Findings, Smoothness
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from usdmotion.report.feet import Pose
-from usdmotion.report.pictures.mannequin import Camera, Mannequin, outlines
+from usdmotion.drawing.mannequin import Camera, Mannequin, outlines
+from usdmotion.motion import WorldPose
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,7 +21,7 @@ def draw_body(
     axes: "Axes",
     mannequin: Mannequin,
     camera: Camera,
-    pose: Pose,
+    pose: WorldPose,
     *,
     kind: Kind,
     scale: float = 1.0,

@@ -134,7 +134,7 @@ def require_matplotlib() -> None:
         import matplotlib  # noqa: F401
     except ImportError as error:
         raise InputError(
-            "a report is drawn with matplotlib, which is not installed; "
+            "pictures are drawn with matplotlib, which is not installed; "
             "pip install 'usdmotion[report]'"
         ) from error
 

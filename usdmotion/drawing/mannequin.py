@@ -10,7 +10,6 @@ from usdmotion.cast import Character
 from usdmotion.humanoid import PartMap
 from usdmotion.humanoid.parts import LEG
 from usdmotion.kernels import conjugate, forward, rotate
-from usdmotion.report.feet import leg_length
 
 _GIRTHS = (
     ("skullbase", 0.115),
@@ -75,7 +74,7 @@ class Mannequin:
             inner=np.array(
                 [each.tip >= 0 and _is_trunk(parts, each.joint) for each in made], dtype=np.bool_
             ),
-            height=2.1 * leg_length(character),
+            height=2.1 * character.leg_length,
         )
 
     def capsules(self, positions: Floats, orientations: Floats) -> tuple[Floats, Floats]:
@@ -188,7 +187,7 @@ class _Capsule:
 
 def _segments(character: Character) -> Iterator[_Capsule]:
     """Yield a capsule from joint to joint, and the flanks from hip to shoulder."""
-    skeleton, parts, leg = character.skeleton, character.parts, leg_length(character)
+    skeleton, parts, leg = character.skeleton, character.parts, character.leg_length
     head = parts.joint("skullbase") if parts is not None else None
     pelvis = _pelvis(character)
     for joint in _below(character):
@@ -206,7 +205,7 @@ def _segments(character: Character) -> Iterator[_Capsule]:
 
 def _last_segments(character: Character) -> Iterator[_Capsule]:
     """Yield the capsules of heads, hands and feet beyond their last joints."""
-    skeleton, parts, leg = character.skeleton, character.parts, leg_length(character)
+    skeleton, parts, leg = character.skeleton, character.parts, character.leg_length
     for joint in _below(character) if parts is not None else ():
         part = _plain(parts.parts[joint]) if parts is not None else ""
         if part in _ENDS and (part == "skullbase" or joint not in skeleton.parents):

@@ -1,0 +1,1 @@
+"""Guides of a stage, from file to file."""

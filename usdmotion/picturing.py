@@ -1,0 +1,1 @@
+"""Pictures of a stage, from file to file."""

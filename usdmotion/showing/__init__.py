@@ -1,0 +1,21 @@
+"""What there is to see of a scene: guides and pictures are drawn from the same values."""
+
+from usdmotion.showing.shown import (
+    Actor,
+    BalanceMark,
+    Course,
+    GoalMark,
+    Miss,
+    ShownEdit,
+    ShownScene,
+)
+
+__all__ = [
+    "Actor",
+    "BalanceMark",
+    "Course",
+    "GoalMark",
+    "Miss",
+    "ShownEdit",
+    "ShownScene",
+]

@@ -1,0 +1,1 @@
+"""What a camera sees of a stage at some times: surfaces, skinned by UsdSkel, and the camera."""
