@@ -123,6 +123,14 @@ class Camera:
         """Return where points are in the picture [m], (…, 3) to (…, 2)."""
         return np.stack([points @ self.right, points @ self.up], axis=-1)
 
+    def near(self, points: Floats) -> Floats:
+        """Return how near points are [m], the nearest the largest, (…, 3) to (…,)."""
+        return np.asarray(points @ self.towards)
+
+    def scale(self, points: Floats) -> Floats:
+        """Return how long a metre across is in the picture, (…, 3) to (…,)."""
+        return np.ones(points.shape[:-1])
+
 
 def outlines(camera: Camera, starts: Floats, ends: Floats, radii: Floats) -> tuple[Floats, Ints]:
     """Return capsules as polygons [m], the farthest first, and how near each is.

@@ -22,6 +22,10 @@ class Eye(Protocol):
         """Return how near points are, the nearest the largest, (…, 3) to (…,)."""
         ...
 
+    def scale(self, points: Floats) -> Floats:
+        """Return how long a metre across is in the picture at points, (…, 3) to (…,)."""
+        ...
+
 
 @dataclass(frozen=True, eq=False)
 class Body:
@@ -94,6 +98,8 @@ class Panel:
     ground: float | None = None
     """Height of the level ground to draw a grid on [m]; None draws none."""
     up: tuple[float, float, float] = (0.0, 1.0, 0.0)
+    window: tuple[float, float, float, float] | None = None
+    """What is shown of the eye's picture: left, bottom, right, top; None shows all there is."""
 
 
 @dataclass(frozen=True, eq=False)
