@@ -38,5 +38,7 @@ class Asked:
     """Contacts that last for less are dropped [s]."""
     edit: str = ""
     """Path of the MotionEdit whose skeleton is looked at, and where contacts go."""
+    skeletons: tuple[str, ...] = ()
+    """Paths of the only Skeletons that are looked at; empty is all of them."""
     guides: bool = True
     """Whether contacts are drawn too, for people to look at."""

@@ -83,8 +83,10 @@ def _of_detections(here: Survey) -> Iterator[Watched]:
             continue
         refuse(concerns(prim))
         watched, joint = target(prim, "usdmotion:object"), str(value(prim, "usdmotion:joint", ""))
-        skeleton = skeleton_of(prim)
-        if joint and skeleton is not None:
+        skeleton = skeleton_of(prim) if joint else None
+        if not here.wants(skeleton):
+            continue
+        if skeleton is not None:
             yield Watched(prim, here.performer(skeleton), joint, None)
         elif watched is not None:
             yield Watched(prim, None, "", watched)

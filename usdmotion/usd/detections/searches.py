@@ -71,7 +71,7 @@ def read_searches(stage: Usd.Stage, asked: Asked) -> tuple[Sought, ...]:
         SceneError: Something that is named is not there or cannot be read.
         OptionError: An example is outside of the motion, or of a kind that there is not.
     """
-    survey = Survey(stage, asked.edit)
+    survey = Survey(stage, asked.edit, asked.skeletons)
     examples: dict[tuple[str, str], list[Example]] = {}
     for example in asked.templates:
         for each in objects_of(survey, example.object):

@@ -1,5 +1,6 @@
 """A stage while contacts are looked for on it: its units, skeletons and detections, read once."""
 
+from collections.abc import Sequence
 from functools import cached_property
 
 from pxr import Usd, UsdGeom
@@ -14,17 +15,19 @@ from usdmotion.usd.stages import read_facts
 class Survey:
     """What a detection has to know of a stage."""
 
-    def __init__(self, stage: Usd.Stage, edit: str = "") -> None:
+    def __init__(self, stage: Usd.Stage, edit: str = "", skeletons: Sequence[str] = ()) -> None:
         """Look at a stage.
 
         Args:
             stage: The stage, whole.
             edit: Path of the only MotionEdit whose skeleton is of interest, "" for all.
+            skeletons: Paths of the only Skeletons of interest; none is all of them.
 
         Raises:
             SceneError: There is no such edit, or it solves no Skeleton.
         """
         self.stage = stage
+        self._wanted = frozenset(skeletons)
         self.facts = read_facts(stage)
         switched_off_too = Usd.PrimIsDefined & ~Usd.PrimIsAbstract
         self._prims = [
@@ -70,16 +73,32 @@ class Survey:
 
     @cached_property
     def skeletons(self) -> list[Usd.Prim]:
-        """The Skeletons that are of interest and that something moves."""
+        """The Skeletons that are of interest and that something moves.
+
+        Raises:
+            SceneError: One that is wanted is not among them.
+        """
         if self.only is not None:
             return [prim for prim in (skeleton_of(self.only),) if prim is not None]
-        return [
+        found = [
             prim
             for prim in self._prims
             if is_a(prim, "UsdSkelSkeleton")
             and prim.IsActive()
+            and self.wants(prim)
             and (bound_animation(prim) is not None or self.edit_for(prim) is not None)
         ]
+        for path in sorted(self._wanted - {str(prim.GetPath()) for prim in found}):
+            raise SceneError(
+                f"<{path}> is no Skeleton that anything moves; bind an animation to it"
+            )
+        return found
+
+    def wants(self, skeleton: Usd.Prim | None) -> bool:
+        """Tell whether a Skeleton is of interest; None is of interest where all are."""
+        if not self._wanted:
+            return True
+        return skeleton is not None and str(skeleton.GetPath()) in self._wanted
 
     def performer(self, skeleton: Usd.Prim) -> Performer:
         """Return a skeleton with its motion, read once.
