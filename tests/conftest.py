@@ -1,14 +1,18 @@
 """What several tests need."""
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from usdmotion import Goal, PositionConstraint
-from usdmotion.testing import arm_scene
+from usdmotion import Constraint, Goal, Motion, PositionConstraint
+from usdmotion.humanoid import recognize
+from usdmotion.kernels import from_vector, multiply
+from usdmotion.outcome import Outcome, Record
+from usdmotion.testing import HUMANOID, arm_scene, humanoid_scene
 
 
 @pytest.fixture(scope="session")
@@ -55,3 +59,57 @@ def arm_shot(tmp_path: Path) -> ArmShot:
         return tmp_path / name
 
     return write
+
+
+Turns = Mapping[str, tuple[float, float, float]]
+
+
+@dataclass(frozen=True)
+class Outcomes:
+    """Makes outcomes without USD, and knows the tokens of the humanoid's joints."""
+
+    def __call__(
+        self,
+        constraints: Sequence[Constraint] = (),
+        *,
+        turns: Turns | None = None,
+        lift: float = 0.0,
+        frame_count: int = 24,
+        **said: object,
+    ) -> Outcome:
+        """Return an outcome whose result has some joints turned [rad], and the root lifted [m]."""
+        scene = humanoid_scene(constraints, frame_count=frame_count)
+        (character,) = scene.characters
+        given = character.motion
+        skeleton = character.skeleton
+        rotations, translations = np.array(given.rotations), np.array(given.translations)
+        for name, turn in (turns or {}).items():
+            joint = skeleton.index[self.token(name)]
+            rotations[:, joint] = multiply(rotations[:, joint], from_vector(np.array([turn])))
+        translations[:, 0, 1] += lift
+        whole = replace(character, parts=recognize(skeleton))
+        scene = replace(scene, characters=(whole,))
+        record = {
+            "edit": scene.edits[0].path,
+            "solver": "by_hand",
+            "version": "7.8.9",
+            "options": {"patience": 3},
+            "input_hash": "abc",
+            "hash_now": "abc",
+            "shown": True,
+        }
+        motion = Motion(given.times, translations, rotations)
+        return Outcome(scene, {HUMANOID: motion}, (Record(**(record | said)),), ("beware <this>",))
+
+    def token(self, name: str) -> str:
+        """Return the token of a joint by its last name."""
+        return next(token for token in self.joints if token.rsplit("/", 1)[-1] == name)
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        return humanoid_scene().characters[0].skeleton.joints
+
+
+@pytest.fixture
+def outcome() -> Outcomes:
+    return Outcomes()

@@ -59,8 +59,8 @@ def report(
     say("drawing")
     with drawing():
         chapters = [
-            Chapter(found, edit, pictures_of(found, edit), list(postures_of(outcome, found, edit)))
-            for outcome, found in zip(outcomes, findings, strict=True)
+            Chapter(found, edit, pictures_of(found, edit), list(postures_of(found, edit)))
+            for found in findings
             for edit in found.edits
         ]
         if png is not None:

@@ -51,7 +51,7 @@ def test_more_is_missed_of_what_has_a_finer_tolerance(outcome):
 
 def test_a_mark_is_where_the_effector_is_and_where_it_is_wanted(outcome):
     given = outcome([reach(outcome, (0.0, 0.05, 0.02))])
-    (mark,) = marks(given, findings_of(given), 7)
+    (mark,) = marks(findings_of(given), 7)
     node = given.scene.cast.index[HUMANOID, outcome.token("left_wrist")]
     place = given.scene.cast.positions[7, node]
     assert mark.place == pytest.approx(place)
@@ -61,7 +61,7 @@ def test_a_mark_is_where_the_effector_is_and_where_it_is_wanted(outcome):
 
 def test_what_is_along_a_free_axis_is_not_missing(outcome):
     given = outcome([reach(outcome, (0.1, 0.05, 0.0), axes="y")])
-    (mark,) = marks(given, findings_of(given), 3)
+    (mark,) = marks(findings_of(given), 3)
     assert mark.wanted - mark.place == pytest.approx((0.0, 0.05, 0.0), abs=1e-12)
 
 
@@ -71,7 +71,7 @@ def test_the_mark_of_a_balance_is_the_centre_of_mass(outcome):
     )
     given = outcome([balance], turns={"pelvis": (0.3, 0.0, 0.0)})
     findings = findings_of(given)
-    (mark,) = marks(given, findings, 5)
+    (mark,) = marks(findings, 5)
     assert mark.place == pytest.approx(findings.edits[0].balance.after[5])
     error = findings.edits[0].traces[0].errors[5]
     assert np.linalg.norm(mark.wanted - mark.place) == pytest.approx(error)
@@ -83,5 +83,5 @@ def test_a_turn_wants_no_place(outcome):
         path=f"{HUMANOID}/Edit/T", skeleton=HUMANOID, joint=outcome.token("head")
     )
     given = outcome([turn])
-    (mark,) = marks(given, findings_of(given), 0)
+    (mark,) = marks(findings_of(given), 0)
     assert mark.wanted is None

@@ -24,9 +24,7 @@ def page_of(given, *, bare=True):
         return page("shot & co", [Chapter(findings, edit, nothing, []) for edit in findings.edits])
     with drawing():
         chapters = [
-            Chapter(
-                findings, edit, pictures_of(findings, edit), [*postures_of(given, findings, edit)]
-            )
+            Chapter(findings, edit, pictures_of(findings, edit), [*postures_of(findings, edit)])
             for edit in findings.edits
         ]
         return page("shot & co", chapters)

@@ -42,7 +42,7 @@ def drawn(given):
     findings = findings_of(given)
     (edit,) = findings.edits
     groups = pictures_of(findings, edit)
-    return groups | {"frames": [*postures_of(given, findings, edit)]}
+    return groups | {"frames": [*postures_of(findings, edit)]}
 
 
 def test_each_thing_has_its_picture(reaching):

@@ -8,12 +8,13 @@ import numpy as np
 
 from usdmotion.arrays import Bools, Floats
 from usdmotion.cast import Character
-from usdmotion.constraints import CenterOfMassConstraint, Constraint
-from usdmotion.kernels import conjugate, forward, multiply, to_vector, world_points
+from usdmotion.constraints import Constraint
+from usdmotion.kernels import conjugate, forward, multiply, to_vector
 from usdmotion.measuring import measure, tolerance
 from usdmotion.motion import WorldPose
 from usdmotion.outcome import Outcome, Record
-from usdmotion.quality import along_ground, center_of_mass, jerk
+from usdmotion.quality import jerk
+from usdmotion.report.balance import Balance, balance_of
 from usdmotion.report.feet import Footing, footings
 from usdmotion.report.verdict import ConstraintReport, judged
 from usdmotion.scene import Edit, Scene
@@ -65,26 +66,6 @@ class Smoothness:
 
 
 @dataclass(frozen=True, eq=False)
-class Balance:
-    """The centre of mass and the middle of its supports, in the input and in the result."""
-
-    before: Floats
-    """Centre of mass in the input [m], shape (frame_count, 3)."""
-    after: Floats
-    """The same in the result."""
-    support_before: Floats
-    """Middle of the supports in the input [m], shape (frame_count, 3)."""
-    support_after: Floats
-    masses_from: str
-
-    def away(self, up: Floats) -> tuple[Floats, Floats]:
-        """Return how far it is from its supports along the ground [m], before and after."""
-        pairs = ((self.before, self.support_before), (self.after, self.support_after))
-        before, after = (np.linalg.norm(along_ground(a - b, up), axis=1) for a, b in pairs)
-        return before, after
-
-
-@dataclass(frozen=True, eq=False)
 class EditFindings:
     """What became of one edit."""
 
@@ -124,8 +105,7 @@ class Findings:
 
     def joints(self, skeleton: str) -> slice:
         """Return which nodes of the poses are the joints of a skeleton."""
-        start = self.scene.cast.index[skeleton, ""] + 1
-        return slice(start, start + len(self.scene.character(skeleton).skeleton.joints))
+        return self.scene.nodes(skeleton)
 
 
 def findings_of(outcome: Outcome) -> Findings:
@@ -179,8 +159,7 @@ def _edit(
 ) -> EditFindings:
     scene, cast, solution = outcome.scene, outcome.scene.cast, outcome.solution
     character = scene.character(edit.skeleton)
-    start = cast.index[edit.skeleton, ""] + 1
-    joints = slice(start, start + len(character.skeleton.joints))
+    joints = scene.nodes(edit.skeleton)
     turns = multiply(conjugate(cast.rotations[:, joints]), solution.rotations[:, joints])
     shifts = after[0][:, joints] - cast.positions[:, joints]
     feet = footings(scene, edit, after)
@@ -193,7 +172,7 @@ def _edit(
         moved=np.linalg.norm(shifts, axis=-1),
         smoothness=_smoothness(scene, character, after[0][:, joints], joints),
         footings=feet,
-        balance=_balance(scene, edit, feet, after, joints),
+        balance=balance_of(scene, edit, feet, after),
     )
 
 
@@ -207,38 +186,6 @@ def _smoothness(
     codes = np.interp(when, cast.times, scene.time_codes)
     tokens = character.skeleton.joints
     return Smoothness(codes, before, jerk(cast.times, after)[1], character.root, tokens)
-
-
-def _balance(
-    scene: Scene, edit: Edit, feet: Sequence[Footing], after: WorldPose, joints: slice
-) -> Balance | None:
-    cast = scene.cast
-    masses, centers = cast.masses[joints], cast.mass_centers[joints]
-    poses = ((cast.positions, cast.orientations), after)
-    supports = _supports(scene, edit, feet, poses)
-    if supports is None or not masses.any():
-        return None
-    there = [center_of_mass(p[:, joints], q[:, joints], masses, centers) for p, q in poses]
-    source = scene.character(edit.skeleton).masses_from
-    return Balance(there[0], there[1], supports[0], supports[1], source)
-
-
-def _supports(
-    scene: Scene, edit: Edit, feet: Sequence[Footing], poses: tuple[WorldPose, WorldPose]
-) -> list[Floats] | None:
-    """Return the middle of what the centre of mass should be over, in each pose.
-
-    It is what a constraint names, else the points of the feet.
-    """
-    cast = scene.cast
-    for each in edit.constraints:
-        if isinstance(each, CenterOfMassConstraint) and each.supports:
-            nodes = [cast.node((each.skeleton, token), each.path) for token in each.supports]
-            points = each.support_points if len(each.support_points) else np.zeros((len(nodes), 3))
-            return [world_points(p[:, nodes], q[:, nodes], points).mean(axis=1) for p, q in poses]
-    if not feet:
-        return None
-    return [np.mean([f.before for f in feet], axis=0), np.mean([f.after for f in feet], axis=0)]
 
 
 def _rms(values: Floats) -> Floats:

@@ -6,10 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.constraints import CenterOfMassConstraint
-from usdmotion.kernels import Kind, TaskTable, rotate, world_points
-from usdmotion.outcome import Outcome
 from usdmotion.report.findings import EditFindings, Findings, Trace
+from usdmotion.report.places import effector_places, missing
 
 MOST = 3
 """How many frames are shown because of what is missing there."""
@@ -66,15 +64,15 @@ def moments(findings: Findings, edit: EditFindings) -> list[Moment]:
     return found
 
 
-def marks(outcome: Outcome, findings: Findings, frame: int) -> list[Mark]:
+def marks(findings: Findings, frame: int) -> list[Mark]:
     """Return where the effectors are at one frame, and where they are wanted."""
     found = []
     for edit in findings.edits:
         for trace in edit.traces:
             if trace.on[frame]:
-                place = _place(outcome, findings, trace, edit, frame)
-                wanted = _missing(outcome, findings, trace, frame)
-                there = None if wanted is None else place + wanted
+                asked = (findings.scene, trace.constraint, findings.after)
+                place, left = effector_places(*asked)[frame], missing(*asked)
+                there = None if left is None else place + left[frame]
                 has_goal = bool(trace.constraint.goals) and trace.activity[frame] > 0.0
                 found.append(Mark(trace, place, there, has_goal, bool(trace.missed[frame])))
     return found
@@ -93,46 +91,3 @@ def _peaks(trace: Trace, times: Floats) -> list[int]:
 
 def _is_far(times: Floats, frame: int, found: Sequence[Moment]) -> bool:
     return all(abs(times[frame] - times[each.frame]) > _APART for each in found)
-
-
-def _place(
-    outcome: Outcome, findings: Findings, trace: Trace, edit: EditFindings, frame: int
-) -> Floats:
-    constraint, cast = trace.constraint, outcome.scene.cast
-    if isinstance(constraint, CenterOfMassConstraint) and edit.balance is not None:
-        return np.asarray(edit.balance.after[frame])
-    if not constraint.joint:
-        return np.asarray(findings.after[0][frame, cast.index[constraint.skeleton, ""] + 1])
-    node = constraint.node(cast)
-    point = np.broadcast_to(constraint.point, (cast.frame_count, 3))[frame]
-    positions, orientations = findings.after
-    return np.asarray(world_points(positions[frame, node], orientations[frame, node], point))
-
-
-def _missing(outcome: Outcome, findings: Findings, trace: Trace, frame: int) -> Floats | None:
-    """Return what is missing from a constraint's place to where it is wanted [m], shape (3,)."""
-    table = outcome.problem.table
-    index = findings.scene.constraints.index(trace.constraint)
-    tasks = np.flatnonzero((table.constraint == index) & (table.kind == Kind.POINT))
-    if len(tasks) == 0:
-        return None
-    task = int(tasks[0])
-    positions, orientations = findings.after
-    left = np.array(table.target[frame, task])
-    for term in range(table.first_term[task], table.first_term[task + 1]):
-        node = table.term_node[term]
-        point = world_points(
-            positions[frame, node], orientations[frame, node], table.term_point[frame, term]
-        )
-        left -= table.term_coefficient[frame, term] * point
-    return _held(table, task, frame, left, orientations[frame])
-
-
-def _held(table: TaskTable, task: int, frame: int, left: Floats, orientations: Floats) -> Floats:
-    """Return the part of a vector that is along the axes which a task holds."""
-    axes = rotate(table.axes_rotation[frame, task], np.eye(3))
-    node = table.axes_node[task]
-    if node >= 0:
-        axes = rotate(orientations[node], axes)
-    held = axes[np.asarray(table.axes[task])]
-    return np.asarray(held.T @ (held @ left))

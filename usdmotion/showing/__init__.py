@@ -1,5 +1,6 @@
 """What there is to see of a scene: guides and pictures are drawn from the same values."""
 
+from usdmotion.showing.scenes import shown, shown_before
 from usdmotion.showing.shown import (
     Actor,
     BalanceMark,
@@ -18,4 +19,6 @@ __all__ = [
     "Miss",
     "ShownEdit",
     "ShownScene",
+    "shown",
+    "shown_before",
 ]

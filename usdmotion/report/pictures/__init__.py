@@ -6,7 +6,6 @@ Draw inside `drawing()`, which gives them their style.
 from collections.abc import Iterator, Sequence
 
 from usdmotion.drawing.style import Picture, drawing, require_matplotlib
-from usdmotion.outcome import Outcome
 from usdmotion.report.findings import EditFindings, Findings
 from usdmotion.report.moments import marks, moments
 from usdmotion.report.pictures.balance import balance
@@ -36,7 +35,7 @@ def pictures_of(findings: Findings, edit: EditFindings) -> dict[str, list[Pictur
     }
 
 
-def postures_of(outcome: Outcome, findings: Findings, edit: EditFindings) -> Iterator[Picture]:
+def postures_of(findings: Findings, edit: EditFindings) -> Iterator[Picture]:
     """Yield the picture of each frame of an edit that is worth looking at."""
     for number, moment in enumerate(moments(findings, edit), start=1):
-        yield posture(findings, moment, marks(outcome, findings, moment.frame), number)
+        yield posture(findings, moment, marks(findings, moment.frame), number)

@@ -16,7 +16,8 @@ from usdmotion.drawing.style import (
     thinned,
     time_axis,
 )
-from usdmotion.report.findings import Balance, EditFindings, Findings
+from usdmotion.report.balance import Balance
+from usdmotion.report.findings import EditFindings, Findings
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
