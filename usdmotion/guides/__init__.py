@@ -9,7 +9,7 @@ from usdmotion.guides.contacts import (
     trajectory,
 )
 from usdmotion.guides.palette import COLORS, Color, another, same
-from usdmotion.guides.segments import GIRTH, SegmentGuide, segment_guide
+from usdmotion.guides.segments import GIRTH, SegmentGuide, is_segment_guide, segment_guide
 
 __all__ = [
     "COLORS",
@@ -21,6 +21,7 @@ __all__ = [
     "another",
     "apart",
     "contact_guide",
+    "is_segment_guide",
     "same",
     "segment_guide",
     "size_of",

@@ -54,6 +54,17 @@ def segment_guide(parents: Ints, positions: Floats, tip_joints: Ints, tips: Floa
     )
 
 
+def is_segment_guide(faces: Ints) -> bool:
+    """Tell whether the triangles of a mesh, shape (face_count, 3), are those of such a guide."""
+    count, rest = divmod(len(faces), len(_FACES))
+    firsts = 6 * np.arange(count)
+    return (
+        count > 0
+        and rest == 0
+        and bool((faces.reshape(-1, *_FACES.shape) == firsts[:, None, None] + _FACES).all())
+    )
+
+
 def _octahedra(starts: Floats, ends: Floats) -> Floats:
     """(N, 3), (N, 3) to (N, 6, 3): the corners, in the order of `_FACES`."""
     along = ends - starts

@@ -1,0 +1,55 @@
+"""Cameras of a stage, as eyes."""
+
+import numpy as np
+from pxr import Gf, Usd, UsdGeom
+
+from usdmotion.arrays import Floats
+from usdmotion.drawing.mannequin import Camera
+from usdmotion.drawing.perspectives import Perspective
+from usdmotion.errors import SceneError
+from usdmotion.usd.relations import is_a
+from usdmotion.usd.seeing.seen import SeenThrough
+from usdmotion.usd.shot import Facts
+
+
+def find_camera(stage: Usd.Stage, path: str) -> Usd.Prim:
+    """Return the camera at a path.
+
+    Raises:
+        SceneError: There is nothing, or no camera; the sentence names those that there are.
+    """
+    prim = stage.GetPrimAtPath(path) if path.startswith("/") else None
+    if is_a(prim, "UsdGeomCamera") if prim else False:
+        return prim
+    everything = Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
+    known = [f"<{each.GetPath()}>" for each in everything if is_a(each, "UsdGeomCamera")]
+    what = "is no Camera" if prim else "is not on the stage"
+    there = f"there are {', '.join(known)}" if known else "there is none, so name a --view instead"
+    raise SceneError(f"<{path}> {what}; {there}")
+
+
+def see_through(camera: Usd.Prim, time_code: float, facts: Facts) -> SeenThrough:
+    """Return a camera as an eye, and what it frames.
+
+    Args:
+        camera: A Camera prim.
+        time_code: When.
+        facts: Units of the stage.
+    """
+    found = UsdGeom.Camera(camera).GetCamera(Usd.TimeCode(time_code))
+    frustum = found.frustum
+    place = np.array(frustum.GetPosition()) * facts.meters_per_unit
+    axes = (Gf.Vec3d(1, 0, 0), Gf.Vec3d(0, 1, 0), Gf.Vec3d(0, 0, 1))
+    right, up, towards = (np.array(frustum.GetRotation().TransformDir(each)) for each in axes)
+    sides = np.array((*frustum.GetWindow().GetMin(), *frustum.GetWindow().GetMax()))
+    if found.projection == Gf.Camera.Perspective:
+        return SeenThrough(Perspective(place, right, up, towards), _window(sides))
+    # What is seen without perspective is where it is in the world, and the frame goes along.
+    middle = np.array((place @ right, place @ up))
+    sides = sides * facts.meters_per_unit + np.tile(middle, 2)
+    return SeenThrough(Camera(right, up, towards), _window(sides))
+
+
+def _window(sides: Floats) -> tuple[float, float, float, float]:
+    left, bottom, right, top = (float(each) for each in sides)
+    return left, bottom, right, top
