@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from usdmotion import kernels
 from usdmotion.cleaning import Cleaning, cleaned
 from usdmotion.detecting import Detected, Search
-from usdmotion.errors import SceneError
+from usdmotion.errors import FileError, SceneError
 from usdmotion.grounding import Detect, Grounding, Told, grounded, standing_on
 from usdmotion.kernels.compiling import cache_folder
 from usdmotion.options import configured
 from usdmotion.options import options as options_of
+from usdmotion.outcome import Outcome
 from usdmotion.passes import Checked
 from usdmotion.plugins import host
 from usdmotion.scene import Edit, Scene
@@ -107,6 +108,34 @@ def results_of(solved: SolvedScene) -> Iterable[Result]:
     settings = {each.name: getattr(chosen, each.name) for each in options_of(type(chosen))}
     for edit in solved.scene.edits:
         yield Result(edit.path, solved.motion(edit.skeleton), chosen.name, settings)
+
+
+def beside_its_input(outcome: Outcome, told: Told | None, path: Path, program: str) -> Outcome:
+    """Return an outcome beside the input that its edits started from, and what was solved.
+
+    That was cleaned, or put on the ground, where they ask for it.
+
+    Args:
+        outcome: What was read.
+        told: The ground that a program told when it was solved.
+        path: How to call the stage in an error.
+        program: What a program calls that knows the ground.
+
+    Raises:
+        FileError: Its ground was told by a program, and nobody tells it now.
+    """
+    if outcome.told and told is None:
+        raise FileError(
+            f"{path}: its motion was put on a ground that a program told, so that only a program "
+            f"can tell what became of it; call {program} with that ground"
+        )
+    scene = standing_on(outcome.scene, told if outcome.told else None)
+    if any(edit.cleaning > 0.0 for edit in scene.edits):
+        record = outcome.records[0]
+        solver = configured(host().solver(record.solver), record.options)
+        scene, _ = cleaned(scene, Checked(solver).solve)
+    stood = grounded(scene, feet_detector())
+    return replace(outcome, scene=stood.posed(stood.scene))
 
 
 def _configured(edits: Sequence[Edit], solver: str | None, options: Mapping[str, object]) -> Solver:

@@ -1,16 +1,11 @@
 """The report of a shot that was solved: one page, and its pictures as files."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
-from usdmotion.answering import feet_detector
-from usdmotion.cleaning import cleaned
+from usdmotion.answering import beside_its_input
 from usdmotion.errors import FileError
-from usdmotion.grounding import Told, grounded, standing_on
-from usdmotion.options import configured
-from usdmotion.outcome import Outcome
-from usdmotion.passes import Checked
+from usdmotion.grounding import Told
 from usdmotion.plugins import host
 from usdmotion.report.findings import Findings, findings_of
 from usdmotion.report.page import Chapter, page
@@ -53,7 +48,8 @@ def report(
     require_matplotlib()
     say(f"reading {result}")
     read = usd.read_outcomes(result, shot=shot, kinds=host().constraints)
-    outcomes = [_from_its_input(each, ground, result) for each in read]
+    call = "usdmotion.reporting.report"
+    outcomes = [beside_its_input(each, ground, result, call) for each in read]
     say("measuring")
     findings = tuple(findings_of(outcome) for outcome in outcomes)
     say("drawing")
@@ -67,25 +63,6 @@ def report(
             _write_pictures(chapters, png)
         write_text(page(result.name, chapters), str(output))
     return findings
-
-
-def _from_its_input(outcome: Outcome, told: Told | None, result: Path) -> Outcome:
-    """Return an outcome beside the input that its edits started from, and what was solved.
-
-    That was cleaned, or put on the ground, where they ask for it.
-    """
-    if outcome.told and told is None:
-        raise FileError(
-            f"{result}: its motion was put on a ground that a program told, so that only a program "
-            "can report it; call usdmotion.reporting.report with that ground"
-        )
-    scene = standing_on(outcome.scene, told if outcome.told else None)
-    if any(edit.cleaning > 0.0 for edit in scene.edits):
-        record = outcome.records[0]
-        solver = configured(host().solver(record.solver), record.options)
-        scene, _ = cleaned(scene, Checked(solver).solve)
-    stood = grounded(scene, feet_detector())
-    return replace(outcome, scene=stood.posed(stood.scene))
 
 
 def _write_pictures(chapters: list[Chapter], folder: Path) -> None:

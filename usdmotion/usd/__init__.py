@@ -21,12 +21,14 @@ from usdmotion.usd.detections import (
     detection_provenance,
     read_searches,
 )
-from usdmotion.usd.edit_layers import read_outcomes
+from usdmotion.usd.edit_layers import files_of, read_outcomes
+from usdmotion.usd.edits import unsolved_edits
 from usdmotion.usd.guides import author_contact_guides
 from usdmotion.usd.inspected import Inspection
 from usdmotion.usd.inspection import inspect
 from usdmotion.usd.new_stages import new_stage
 from usdmotion.usd.normalized import author_normalized, read_normalized, write_normalized
+from usdmotion.usd.outcomes import outcomes_of, solved_edits
 from usdmotion.usd.outputs import require_apart
 from usdmotion.usd.overlays import Overlay
 from usdmotion.usd.planting import author_keeping, author_passes, edits_of
@@ -35,6 +37,7 @@ from usdmotion.usd.reading import read, read_stage
 from usdmotion.usd.recordings import write_recording
 from usdmotion.usd.region_authoring import author_region
 from usdmotion.usd.shot import Result, Shot
+from usdmotion.usd.stages import Stage
 from usdmotion.usd.variants import variant
 from usdmotion.usd.writing import compose, put, require_composable, write
 
@@ -44,6 +47,7 @@ __all__ = [
     "Overlay",
     "Result",
     "Shot",
+    "Stage",
     "author",
     "author_body",
     "author_character",
@@ -60,8 +64,10 @@ __all__ = [
     "compose",
     "detection_provenance",
     "edits_of",
+    "files_of",
     "inspect",
     "new_stage",
+    "outcomes_of",
     "put",
     "read",
     "read_normalized",
@@ -70,6 +76,8 @@ __all__ = [
     "read_stage",
     "require_apart",
     "require_composable",
+    "solved_edits",
+    "unsolved_edits",
     "variant",
     "write",
     "write_capture",

@@ -36,52 +36,89 @@ def read_outcomes(
         FileError: A file cannot be opened.
         SceneError: There is no result, or no shot, or they do not fit.
     """
+    files, edits = _files(path, shot, kinds)
+    if len(files) > 1:
+        return outcomes_of(_stacked(files), files[-1], kinds, edits)
+    stage = open_stage(path)
+    try:
+        refuse(composition_faults(stage))
+    except SceneError as error:
+        raise SceneError(f"{path}: {error}") from error
+    return outcomes_of(stage, path, kinds)
+
+
+def files_of(
+    path: Path, *, shot: Path | None = None, kinds: Sequence[type[Constraint]]
+) -> tuple[Path, ...]:
+    """Return the files that show a stage, or a layer of results over its shot, as `read_outcomes`.
+
+    Args:
+        path: A stage, or a layer that `write` wrote.
+        shot: The shot under the layer.
+        kinds: The constraint kinds that prims can be read as.
+
+    Returns:
+        The stage; or the layer, and the shot under it.
+
+    Raises:
+        FileError: A file cannot be opened.
+        SceneError: There is no shot, or it does not fit.
+    """
+    return _files(path, shot, kinds)[0]
+
+
+def _files(
+    path: Path, shot: Path | None, kinds: Sequence[type[Constraint]]
+) -> tuple[tuple[Path, ...], tuple[str, ...]]:
+    """Return the files, and the paths of the edits whose results a layer over a shot holds."""
     stage = open_stage(path)
     edits = recorded_edits(recorded(stage.GetRootLayer()))
     if shot is not None:
-        return _over(path, shot, edits, kinds)
+        _require_shot(path, shot, edits)
+        return (path, shot), edits
     if not edits or has_edits(stage, edits):
-        try:
-            refuse(composition_faults(stage))
-        except SceneError as error:
-            raise SceneError(f"{path}: {error}") from error
-        return outcomes_of(stage, path, kinds)
-    return _over_its_own(path, edits, kinds)
+        return (path,), ()
+    return (path, _shot_beside(path, edits, kinds)), edits
 
 
-def _over_its_own(
-    path: Path, edits: Sequence[str], kinds: Sequence[type[Constraint]]
-) -> tuple[Outcome, ...]:
-    """Return the outcomes over the shot that a layer is named after."""
+def _shot_beside(path: Path, edits: Sequence[str], kinds: Sequence[type[Constraint]]) -> Path:
+    """Return the shot that a layer is named after."""
     name = path.stem.removesuffix(".edit")
     beside = [path.with_name(name + suffix) for suffix in _SHOTS]
     there = [each for each in beside if each != path and each.is_file()]
     shots = [each for each in there if has_edits(open_stage(each), edits)]
-    found = [_over(path, each, edits, kinds) for each in shots]
-    fresh = [each for each in found if not any(r.stale for o in each for r in o.records)]
-    if fresh or len(found) == 1:
-        return (fresh or found)[0]
-    what = "which of those beside it is" if found else "no file beside it is named as"
+    fresh = [each for each in shots if len(shots) > 1 and _is_fresh(path, each, edits, kinds)]
+    if fresh or len(shots) == 1:
+        return (fresh or shots)[0]
+    what = "which of those beside it is" if shots else "no file beside it is named as"
     raise SceneError(
         f"{path}: it holds results of <{edits[0]}> and has to be put over the shot that it was "
         f"made from, but {what} that shot; name it with --shot FILE"
     )
 
 
-def _over(
+def _is_fresh(
     path: Path, shot: Path, edits: Sequence[str], kinds: Sequence[type[Constraint]]
-) -> tuple[Outcome, ...]:
+) -> bool:
+    """Tell whether a layer was made from what a shot is now."""
+    found = outcomes_of(_stacked((path, shot)), shot, kinds, edits)
+    return not any(record.stale for each in found for record in each.records)
+
+
+def _require_shot(path: Path, shot: Path, edits: Sequence[str]) -> None:
     if not edits:
         raise FileError(
             f"{path}: it is no layer that `usdmotion solve` wrote; without --shot a stage that "
             "has results on it will do"
         )
-    beneath = open_stage(shot)
-    if not has_edits(beneath, edits):
+    if not has_edits(open_stage(shot), edits):
         raise SceneError(
             f"{shot}: it has not the edits of {path}, {', '.join(edits)}; name the shot that the "
             "layer was made from"
         )
-    paths = [os.path.realpath(each) for each in (path, shot)]
-    root = composed(read_facts(beneath), paths)
-    return outcomes_of(Usd.Stage.Open(root), shot, kinds, edits)
+
+
+def _stacked(files: Sequence[Path]) -> Usd.Stage:
+    """Return a stage that shows some files, the strongest first, and is read like the last."""
+    paths = [os.path.realpath(each) for each in files]
+    return Usd.Stage.Open(composed(read_facts(open_stage(files[-1])), paths))

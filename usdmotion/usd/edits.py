@@ -1,6 +1,6 @@
 """Which MotionEdits there are to solve, what each solves, and from which motion."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from pxr import Usd
@@ -9,6 +9,7 @@ from usdmotion.arrays import Floats
 from usdmotion.errors import SceneError
 from usdmotion.usd.clips import own_times
 from usdmotion.usd.concerns import concerns
+from usdmotion.usd.constraints import constraint_prims
 from usdmotion.usd.grounds import ground_prims
 from usdmotion.usd.origins import depends_on, source_of
 from usdmotion.usd.relations import (
@@ -68,6 +69,25 @@ def find_edits(stage: Usd.Stage, wanted: Sequence[str]) -> list[Usd.Prim]:
                 "it out and name its skeleton in usdmotion:skeleton"
             )
     return chosen
+
+
+def unsolved_edits(stage: Usd.Stage, solved: Collection[str]) -> list[list[str]]:
+    """Return the paths of the edits that ask for something and are not among those solved.
+
+    They are in groups that can be read together, because no two in one are of the same Skeleton.
+    """
+    groups: list[dict[str, str]] = []
+    for prim in stage.Traverse():
+        path = str(prim.GetPath())
+        if not is_a(prim, "UsdMotionEdit") or path in solved or not any(constraint_prims(prim)):
+            continue
+        found = skeleton_of(prim)
+        skeleton = path if found is None else str(found.GetPath())
+        group = next((each for each in groups if skeleton not in each), None)
+        if group is None:
+            groups.append(group := {})
+        group[skeleton] = path
+    return [list(group.values()) for group in groups]
 
 
 def request(

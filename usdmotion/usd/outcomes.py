@@ -76,6 +76,13 @@ def outcomes_of(
     return tuple(outcomes)
 
 
+def solved_edits(stage: Usd.Stage) -> tuple[str, ...]:
+    """Return the paths of the edits on a stage that are switched on and have a result there."""
+    found = dict.fromkeys(each.edit for each in _results(stage))
+    prims = (stage.GetPrimAtPath(edit) for edit in found if has_edits(stage, [edit]))
+    return tuple(str(prim.GetPath()) for prim in prims if prim.IsActive())
+
+
 def recorded_edits(said: Mapping[str, Any]) -> tuple[str, ...]:
     """Return the paths of the edits whose results a layer says that it holds."""
     return tuple(str(edit) for edit in said.get("hashes", {}))

@@ -1,6 +1,7 @@
 """A layer over a shot while it is being made: a stage that shows both, on disk once it is whole."""
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,7 @@ from usdmotion.usd.writing import composed, name_fallbacks
 
 @dataclass(frozen=True, eq=False)
 class Overlay:
-    """A layer that is read like its shot and has it as its sublayer."""
+    """A layer that is read like its shot and has it as its sublayer, under others if need be."""
 
     shot: Path
     """The file under it."""
@@ -26,25 +27,34 @@ class Overlay:
     """What both together show; its edit target is the layer."""
     inputs: frozenset[str]
     """Real path of every file that the shot is made of."""
+    between: tuple[Path, ...] = ()
+    """Layers over the shot and under this one, the strongest first."""
 
     @classmethod
-    def open(cls, shot: Path, output: Path) -> "Overlay":
+    def open(cls, shot: Path, output: Path, *, between: Sequence[Path] = ()) -> "Overlay":
         """Begin a layer over a shot.
 
+        Args:
+            shot: The file under it.
+            output: Where it is to be written.
+            between: Layers that go over the shot and under this one, the strongest first.
+
         Raises:
-            FileError: The shot cannot be opened, or the layer must not be written there.
+            FileError: A file cannot be opened, or the layer must not be written there.
             SceneError: The shot does not compose.
         """
         beneath = open_stage(shot)
+        files = [os.path.realpath(each) for each in (*between, shot)]
+        layer = composed(read_facts(beneath), files)
+        name_fallbacks(layer)
+        stage = Usd.Stage.Open(layer)
         try:
-            refuse(composition_faults(beneath))
+            refuse(composition_faults(stage))
         except SceneError as error:
             raise SceneError(f"{shot}: {error}") from error
-        inputs = used_files(beneath)
+        inputs = used_files(stage)
         require_writable(output, inputs)
-        layer = composed(read_facts(beneath), [os.path.realpath(shot)])
-        name_fallbacks(layer)
-        return cls(shot, output, Usd.Stage.Open(layer), inputs)
+        return cls(shot, output, stage, inputs, tuple(between))
 
     def remember(self, **said: Any) -> None:
         """Let the layer say of itself how it was made, on top of what it says already."""
@@ -64,5 +74,6 @@ class Overlay:
         """
         written = Sdf.Layer.CreateAnonymous(".usda")
         written.TransferContent(self.stage.GetRootLayer())
-        written.subLayerPaths[0] = relative(self.shot, self.output.parent)
+        for number, path in enumerate((*self.between, self.shot)):
+            written.subLayerPaths[number] = relative(path, self.output.parent)
         save(written, self.output)

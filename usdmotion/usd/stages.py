@@ -9,6 +9,9 @@ from usdmotion.errors import FileError, SceneError
 from usdmotion.usd.faults import Fault
 from usdmotion.usd.shot import Facts
 
+Stage = Usd.Stage
+"""A stage that is open, for those who do not know USD."""
+
 
 def open_stage(path: Path) -> Usd.Stage:
     """Return the stage of a file.
