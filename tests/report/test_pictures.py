@@ -7,7 +7,8 @@ import pytest
 
 from usdmotion import Goal, PositionConstraint
 from usdmotion.constraints import CenterOfMassConstraint
-from usdmotion.drawing.mannequin import Camera, Mannequin, facing, outlines
+from usdmotion.drawing.eyes import Camera
+from usdmotion.drawing.mannequin import Mannequin, facing, outlines
 from usdmotion.drawing.style import stretches, thinned
 from usdmotion.report.findings import findings_of
 from usdmotion.report.pictures import drawing, pictures_of, postures_of

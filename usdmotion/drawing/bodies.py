@@ -1,10 +1,13 @@
-"""Drawing one body, or the ground under it, into axes."""
+"""Drawing one body into axes, and its limbs as polygons."""
 
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from usdmotion.drawing.mannequin import Camera, Mannequin, outlines
+from usdmotion.arrays import Bools, Floats
+from usdmotion.drawing.eyes import Eye
+from usdmotion.drawing.mannequin import Mannequin, outlines
+from usdmotion.drawing.polygons import Polygons, rgb
 from usdmotion.motion import WorldPose
 
 if TYPE_CHECKING:
@@ -15,12 +18,14 @@ _FILLS = {"before": "#dfe3e7", "after": "#3f8fc6", "other": "#c9a0c0"}
 _FAR_FILLS = {"before": "#d3d8dd", "after": "#0a5f9b", "other": "#a9739d"}
 """Of the body's right side, so that the limbs can be told apart."""
 _EDGES = {"before": "#aeb5bc", "after": "#ffffff", "other": "#ffffff"}
+_LINE = 0.5
+"""Width of the line around a limb [points]."""
 
 
 def draw_body(
     axes: "Axes",
     mannequin: Mannequin,
-    camera: Camera,
+    camera: Eye,
     pose: WorldPose,
     *,
     kind: Kind,
@@ -38,19 +43,36 @@ def draw_body(
         scale: Of the picture.
         shift: Where the origin of the picture is put.
     """
-    from matplotlib.collections import PolyCollection
+    drawn = limbs(mannequin, camera, pose, kind)
+    shapes = [shape * scale + np.array(shift) for shape in drawn.shapes]
+    moved = Polygons(shapes, drawn.near, drawn.fills, drawn.edges, drawn.widths)
+    moved.draw(axes, order={"before": 2, "other": 3, "after": 4}[kind])
 
+
+def limbs(mannequin: Mannequin, eye: Eye, pose: WorldPose, kind: Kind) -> Polygons:
+    """Return the limbs of a body, those left out that are partly behind the eye.
+
+    Args:
+        mannequin: Its capsules.
+        eye: From where it is seen.
+        pose: World positions [m] and orientations of its joints.
+        kind: Who it is.
+    """
     starts, ends = mannequin.capsules(*pose)
-    polygons, order = outlines(camera, starts, ends, mannequin.radii)
-    right = mannequin.right[order]
-    colors = np.where(right, _FAR_FILLS[kind], _FILLS[kind])
-    edges = np.where(mannequin.inner[order], colors, _EDGES[kind])
-    axes.add_collection(
-        PolyCollection(
-            list(polygons * scale + np.array(shift)),
-            facecolors=list(colors),
-            edgecolors=list(edges),
-            linewidths=0.5,
-            zorder={"before": 2, "other": 3, "after": 4}[kind],
-        )
+    seen = np.maximum(eye.near(starts), eye.near(ends)) < eye.limit
+    starts, ends, radii = starts[seen], ends[seen], mannequin.radii[seen]
+    shapes, order = outlines(eye, starts, ends, radii)
+    right, inner = mannequin.right[seen][order], mannequin.inner[seen][order]
+    fills = _either(right, _FAR_FILLS[kind], _FILLS[kind])
+    return Polygons(
+        list(shapes),
+        (eye.near(0.5 * (starts + ends)) + radii)[order],
+        fills,
+        np.where(inner[:, None], fills, rgb(_EDGES[kind])),
+        np.full(len(order), _LINE),
     )
+
+
+def _either(mask: Bools, one: str, other: str) -> Floats:
+    """Return one colour where a mask holds, else another, (count,) to (count, 4)."""
+    return np.where(mask[:, None], rgb(one), rgb(other))

@@ -7,6 +7,7 @@ import numpy as np
 
 from usdmotion.arrays import Bools, Floats, Ints
 from usdmotion.cast import Character
+from usdmotion.drawing.eyes import Eye
 from usdmotion.humanoid import PartMap
 from usdmotion.humanoid.parts import LEG
 from usdmotion.kernels import conjugate, forward, rotate
@@ -39,6 +40,8 @@ _FLANK = 0.1
 _FLANK_ENDS = ("hip", "shoulder")
 _CORNERS = 9
 """Corners of either end of a capsule."""
+_TAPER = 0.88
+"""How thick a capsule is at its end, over its start."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,50 +96,11 @@ class Mannequin:
         return starts, np.where(tips[:, None] < 0, free, positions[tips])
 
 
-@dataclass(frozen=True, eq=False)
-class Camera:
-    """A view without perspective."""
-
-    right: Floats
-    up: Floats
-    towards: Floats
-    """To the eye; each of shape (3,)."""
-
-    @classmethod
-    def at(cls, facing: Floats, up: Floats, turn: float, rise: float) -> "Camera":
-        """Return a camera that looks at somebody.
-
-        Args:
-            facing: Where he looks, level, shape (3,).
-            up: Away from the ground, shape (3,).
-            turn: How far the camera stands to his left [degrees]; 0 sees his face.
-            rise: How far it looks down [degrees].
-        """
-        side, tilt = np.radians(turn), np.radians(rise)
-        left = np.cross(up, facing)
-        level = np.cos(side) * facing + np.sin(side) * left
-        right = np.cross(up, level)
-        towards = np.cos(tilt) * level + np.sin(tilt) * up
-        return cls(right, np.cross(towards, right), towards)
-
-    def flat(self, points: Floats) -> Floats:
-        """Return where points are in the picture [m], (…, 3) to (…, 2)."""
-        return np.stack([points @ self.right, points @ self.up], axis=-1)
-
-    def near(self, points: Floats) -> Floats:
-        """Return how near points are [m], the nearest the largest, (…, 3) to (…,)."""
-        return np.asarray(points @ self.towards)
-
-    def scale(self, points: Floats) -> Floats:
-        """Return how long a metre across is in the picture, (…, 3) to (…,)."""
-        return np.ones(points.shape[:-1])
-
-
-def outlines(camera: Camera, starts: Floats, ends: Floats, radii: Floats) -> tuple[Floats, Ints]:
-    """Return capsules as polygons [m], the farthest first, and how near each is.
+def outlines(eye: Eye, starts: Floats, ends: Floats, radii: Floats) -> tuple[Floats, Ints]:
+    """Return capsules as polygons in the picture, the farthest first, and their order.
 
     Args:
-        camera: From where they are seen.
+        eye: From where they are seen.
         starts: World [m], shape (capsule_count, 3).
         ends: World [m], shape (capsule_count, 3).
         radii: Thickness at the start [m], shape (capsule_count,); the end is a bit thinner.
@@ -144,19 +108,19 @@ def outlines(camera: Camera, starts: Floats, ends: Floats, radii: Floats) -> tup
     Returns:
         Shape (capsule_count, corner_count, 2), and the order (capsule_count,) of the capsules.
     """
-    near = 0.5 * (starts + ends) @ camera.towards
-    order = np.argsort(near, kind="stable")
-    first, last = camera.flat(starts[order]), camera.flat(ends[order])
+    order = np.argsort(eye.near(0.5 * (starts + ends)), kind="stable")
+    starts, ends, radii = starts[order], ends[order], radii[order]
+    first, last = eye.flat(starts), eye.flat(ends)
     along = last - first
     angle = np.arctan2(along[:, 1], along[:, 0])[:, None]
     half = np.linspace(-0.5 * np.pi, 0.5 * np.pi, _CORNERS)[None, :]
     ahead = np.stack([np.cos(angle + half), np.sin(angle + half)], axis=-1)
     behind = np.stack([np.cos(angle + np.pi + half), np.sin(angle + np.pi + half)], axis=-1)
-    thick = radii[order, None, None]
-    return (
-        np.concatenate([last[:, None] + 0.88 * thick * ahead, first[:, None] + thick * behind], 1),
-        order,
+    thick, thin = (
+        (part * radii * eye.size(there))[:, None, None]
+        for part, there in ((1.0, starts), (_TAPER, ends))
     )
+    return np.concatenate([last[:, None] + thin * ahead, first[:, None] + thick * behind], 1), order
 
 
 def facing(character: Character, positions: Floats, up: Floats) -> Floats:

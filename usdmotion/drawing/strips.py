@@ -1,30 +1,16 @@
 """Strips of poses, as papers show them: what is to be drawn, as plain values."""
 
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Literal
 
 from usdmotion.arrays import Floats, Ints
 from usdmotion.drawing.bodies import Kind
+from usdmotion.drawing.eyes import Eye
 from usdmotion.drawing.mannequin import Mannequin
 from usdmotion.motion import WorldPose
 
 Color = str | tuple[float, float, float]
-
-
-class Eye(Protocol):
-    """From where something is seen."""
-
-    def flat(self, points: Floats) -> Floats:
-        """Return where points are in the picture, (…, 3) to (…, 2)."""
-        ...
-
-    def near(self, points: Floats) -> Floats:
-        """Return how near points are, the nearest the largest, (…, 3) to (…,)."""
-        ...
-
-    def scale(self, points: Floats) -> Floats:
-        """Return how long a metre across is in the picture at points, (…, 3) to (…,)."""
-        ...
+"""As matplotlib names it, or linear as USD has it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,10 +30,14 @@ class Surface:
     points: Floats
     """World [m], shape (point_count, 3)."""
     triangles: Ints
-    """Shape (triangle_count, 3)."""
+    """Shape (triangle_count, 3), their corners counterclockwise seen from outside."""
     color: tuple[float, float, float]
     """Linear, as USD has it."""
     opacity: float = 1.0
+    both_sides: bool = False
+    """Whether its back is seen too."""
+    beyond: bool = False
+    """Whether it may go beyond the panel, as a ground or a wall does."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,6 +51,8 @@ class Curve:
     """In points of print."""
     opacity: float = 1.0
     dashed: bool = False
+    beyond: bool = True
+    """Whether it may go beyond the panel."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,6 +66,8 @@ class Spot:
     opacity: float = 1.0
     text: str = ""
     """Written beside it."""
+    beyond: bool = False
+    """Whether it may be outside of the panel, and is then left out."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,6 +78,8 @@ class Patch:
     """Its outline in the world [m], shape (corner_count, 3)."""
     color: Color
     opacity: float = 0.4
+    beyond: bool = True
+    """Whether it may go beyond the panel."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,8 +94,6 @@ class Panel:
     ground: float | None = None
     """Height of the level ground to draw a grid on [m]; None draws none."""
     up: tuple[float, float, float] = (0.0, 1.0, 0.0)
-    window: tuple[float, float, float, float] | None = None
-    """What is shown of the eye's picture: left, bottom, right, top; None shows all there is."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,3 +110,4 @@ class Strip:
 
     rows: tuple[Row, ...]
     caption: str = ""
+    """What there is to be seen, in a sentence or two."""

@@ -106,8 +106,10 @@ class Picture:
         )
 
     def png(self) -> bytes:
-        """Return it as PNG; the same picture is the same bytes."""
-        return _saved(self.figure, "png", {"Software": None})
+        """Return it as PNG of few colours; the same picture is the same bytes."""
+        from usdmotion.drawing.pixels import of_few_colors
+
+        return of_few_colors(_saved(self.figure, "png", {"Software": None}))
 
 
 @contextmanager

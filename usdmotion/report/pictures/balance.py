@@ -5,7 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.drawing.mannequin import Camera, facing
+from usdmotion.drawing.eyes import Camera
+from usdmotion.drawing.mannequin import facing
 from usdmotion.drawing.style import (
     AFTER,
     BEFORE,

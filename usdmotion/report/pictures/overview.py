@@ -6,7 +6,8 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.drawing.bodies import Kind, draw_body
-from usdmotion.drawing.mannequin import Camera, Mannequin, facing
+from usdmotion.drawing.eyes import Camera
+from usdmotion.drawing.mannequin import Mannequin, facing
 from usdmotion.drawing.style import (
     AFTER,
     INK,

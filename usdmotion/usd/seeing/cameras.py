@@ -4,7 +4,7 @@ import numpy as np
 from pxr import Gf, Usd, UsdGeom
 
 from usdmotion.arrays import Floats
-from usdmotion.drawing.mannequin import Camera
+from usdmotion.drawing.eyes import Camera
 from usdmotion.drawing.perspectives import Perspective
 from usdmotion.errors import SceneError
 from usdmotion.usd.relations import is_a

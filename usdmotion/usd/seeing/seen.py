@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 from usdmotion.arrays import Bools, Floats, Ints
 from usdmotion.cast import Character
-from usdmotion.drawing.strips import Eye
+from usdmotion.drawing.eyes import Camera
+from usdmotion.drawing.perspectives import Perspective
 from usdmotion.motion import WorldPose
 
 
@@ -44,6 +45,6 @@ class SeenBody:
 class SeenThrough:
     """What a camera frames at one time."""
 
-    eye: Eye
+    eye: Camera | Perspective
     window: tuple[float, float, float, float]
     """Left, bottom, right and top of what it frames, in the eye's picture."""

@@ -1,0 +1,162 @@
+"""Signs for places, and what is written beside them: nothing over anything else."""
+
+from collections.abc import Sequence
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from usdmotion.arrays import Floats
+from usdmotion.drawing.polygons import rgb
+from usdmotion.drawing.strips import Spot
+from usdmotion.drawing.style import INK
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.path import Path
+
+_TEXT = 6.5
+"""Size of what is written [points]."""
+_WIDE, _TALL = 0.66, 1.2
+"""About the size of a letter, over the size of the text."""
+_SIGN = 5.0
+"""Half of the size of a sign [points]."""
+_SIDES = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (1, 1), (-1, 1), (1, -1), (-1, -1))
+"""To which sides something may be written, the best first."""
+_STEPS = (0.0, 8.0, 16.0)
+"""How much farther away it may be written, the best first [points]."""
+_OVER = 50.0
+"""Order of what is drawn above all that is solid."""
+
+
+def draw_spots(
+    axes: "Axes", spots: Sequence[Spot], places: Floats, point: float, size: tuple[float, float]
+) -> None:
+    """Draw signs, and what is said of them.
+
+    Args:
+        axes: Where; its lower left corner may be anywhere.
+        spots: What is drawn.
+        places: Where each is in the picture, from the lower left corner, shape (count, 2).
+        point: One point of print in the picture.
+        size: Of the panel [points].
+    """
+    corner = np.array((axes.get_xlim()[0], axes.get_ylim()[0]))
+    taken = [_box(place / point, (0.0, 0.0), (_SIGN, _SIGN)) for place in places]
+    # What is missed is named first, where there is most room.
+    order = sorted(range(len(spots)), key=lambda each: spots[each].sign != "missed")
+    for index in order:
+        spot, place = spots[index], places[index]
+        if spot.sign != "number":
+            _sign(axes, spot, corner + place)
+        if spot.text:
+            others = taken[:index] + taken[index + 1 :]
+            offset, box = _room(place / point, spot, others, size)
+            taken.append(box)
+            _write(axes, spot, corner + place, offset)
+
+
+def _sign(axes: "Axes", spot: Spot, place: Floats) -> None:
+    """Draw the sign of a place."""
+    color, kind = rgb(spot.color, spot.opacity), spot.sign
+    if kind == "held":
+        _mark(axes, place, "o", 3.4, face=color, edge=rgb("white", spot.opacity), width=0.6)
+    elif kind == "mass":
+        _mark(axes, place, "o", 8.0, face=rgb("white"), edge=rgb("white"), width=1.6)
+        _mark(axes, place, "o", 8.0, face=rgb("white"), edge=color, width=0.9)
+        _mark(axes, place, _quarters(), 8.0, face=color, edge=color, width=0.0)
+    else:
+        large = 8.5 if kind == "missed" else 7.5
+        for edge, width in ((rgb("white", 0.8 * spot.opacity), 2.4), (color, 1.1)):
+            _mark(axes, place, "o", large, face="none", edge=edge, width=width)
+            _mark(axes, place, "+", 1.5 * large, face="none", edge=edge, width=width)
+
+
+def _mark(
+    axes: "Axes",
+    place: Floats,
+    sign: "str | Path",
+    size: float,
+    *,
+    face: "Floats | str",
+    edge: Floats,
+    width: float,
+) -> None:
+    axes.plot(
+        place[0],
+        place[1],
+        linestyle="none",
+        marker=sign,
+        markersize=size,
+        markerfacecolor=face if isinstance(face, str) else tuple(face),
+        markeredgecolor=tuple(edge),
+        markeredgewidth=width,
+        zorder=_OVER,
+    )
+
+
+def _quarters() -> "Path":
+    """Return two opposite quarters of a disk, the sign of a centre of mass."""
+    from matplotlib.path import Path
+
+    return Path.make_compound_path(Path.wedge(0.0, 90.0), Path.wedge(180.0, 270.0))
+
+
+def _write(axes: "Axes", spot: Spot, place: Floats, offset: Floats) -> None:
+    from matplotlib.patheffects import withStroke
+
+    axes.annotate(
+        spot.text,
+        (float(place[0]), float(place[1])),
+        xytext=(float(offset[0]), float(offset[1])),
+        textcoords="offset points",
+        ha="center",
+        va="center",
+        fontsize=_TEXT,
+        weight="bold",
+        color=tuple(rgb(spot.color if spot.sign in ("missed", "number") else INK, spot.opacity)),
+        path_effects=[withStroke(linewidth=1.8, foreground="white")],
+        zorder=_OVER + 1.0,
+    )
+
+
+def _room(
+    place: Floats, spot: Spot, taken: Sequence[Floats], size: tuple[float, float]
+) -> tuple[Floats, Floats]:
+    """Return how far from its place something is best written, and what it takes [points].
+
+    It is the first try that is over nothing else, or over the least.
+    """
+    half = np.array((0.5 * _WIDE * len(spot.text), 0.5 * _TALL)) * _TEXT
+    away = half + (0.0 if spot.sign == "number" else _SIGN + 1.0)
+    tries = [step * np.array(side) + away * side for step, side in product(_STEPS, _SIDES)]
+    if spot.sign == "number":
+        tries.insert(0, np.zeros(2))
+    boxes = [_box(place, offset, half) for offset in tries]
+    panel = np.array((0.0, 0.0, *size))
+    losses = [
+        sum(_common(box, other) for other in taken)
+        + 4.0 * (_area(box) - _common(box, panel))
+        + 1e-3 * index
+        for index, box in enumerate(boxes)
+    ]
+    best = int(np.argmin(losses))
+    return tries[best], boxes[best]
+
+
+def _box(
+    place: Floats, offset: "Floats | tuple[float, float]", half: "Floats | tuple[float, float]"
+) -> Floats:
+    """Return left, bottom, right and top of a box around a place, shape (4,)."""
+    middle = place + np.array(offset)
+    return np.concatenate([middle - half, middle + half])
+
+
+def _area(box: Floats) -> float:
+    return float(np.prod(np.maximum(box[2:] - box[:2], 0.0)))
+
+
+def _common(one: Floats, other: Floats) -> float:
+    """Return the area that two boxes share."""
+    low, high = np.maximum(one[:2], other[:2]), np.minimum(one[2:], other[2:])
+    return float(np.prod(np.maximum(high - low, 0.0)))
