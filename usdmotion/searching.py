@@ -17,6 +17,7 @@ from usdmotion.plugins import host
 from usdmotion.report.contacts import ContactReport, DetectionReport, ObjectReport, PatternReport
 
 if TYPE_CHECKING:
+    from usdmotion.usd import Stage
     from usdmotion.usd.detections import Authored, Entry, Found, Sought
     from usdmotion.usd.overlays import Overlay
 
@@ -58,25 +59,47 @@ def search_over(overlay: Overlay, asked: Asked, *, say: Say = lambda _: None) ->
         InputError: The stage, or what is asked for, is at fault.
         PluginError: A detector does not keep its contract.
     """
+    report, told = search_stage(overlay.stage, overlay.shot, asked, say=say)
+    overlay.remember(detection=told)
+    return report
+
+
+def search_stage(
+    stage: Stage, name: Path, asked: Asked, *, say: Say = lambda _: None
+) -> tuple[DetectionReport, dict[str, object]]:
+    """Look for contacts on a stage that is open, and put them into its edit target.
+
+    Args:
+        stage: The stage; its edit target is its strongest layer.
+        name: How the stage is called in an error.
+        asked: What to look at, and for what.
+        say: Is told what is being done.
+
+    Returns:
+        What was found, and what the layer is to say of it.
+
+    Raises:
+        InputError: The stage, or what is asked for, is at fault.
+        PluginError: A detector does not keep its contract.
+    """
     from usdmotion import usd
 
     try:
-        searches = usd.read_searches(overlay.stage, asked)
+        searches = usd.read_searches(stage, asked)
     except SceneError as error:
-        raise SceneError(f"{overlay.shot}: {error}") from error
+        raise SceneError(f"{name}: {error}") from error
     found = []
     for each in searches:
         say(f"looking at {each.search.name}")
         found.append(_found(each))
-    authored = usd.author_detections(overlay.stage, found)
+    authored = usd.author_detections(stage, found)
     if asked.guides:
-        usd.author_contact_guides(overlay.stage, authored)
+        usd.author_contact_guides(stage, authored)
     report = DetectionReport(
         tuple(_object(each) for each in authored),
         tuple(dict.fromkeys(note for each in authored for note in each.notes)),
     )
-    overlay.remember(detection=usd.detection_provenance(authored, report.notes))
-    return report
+    return report, usd.detection_provenance(authored, report.notes)
 
 
 def _found(sought: Sought) -> Found:

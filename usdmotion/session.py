@@ -19,7 +19,7 @@ from usdmotion.scene import Edit, Scene
 from usdmotion.solved import SolvedScene
 
 if TYPE_CHECKING:
-    from usdmotion.usd import Shot
+    from usdmotion.usd import Draft, Result, Shot
 
 
 @dataclass(frozen=True, eq=False)
@@ -207,14 +207,34 @@ class Session:
 
         if compose is not None:
             usd.require_composable(self._shot, output, compose)  # before anything is written
-        # Results are what has changed of what was read, be that cleaned and put on a ground or not.
-        pairs = zip(self._shot.scenes, self._scenes, strict=True)
-        asked = (_as_read(solved.scene, read) for read, solved in pairs)
-        shot = replace(self._shot, scenes=tuple(asked))
-        results = [each for solved in self._scenes for each in results_of(solved)]
-        usd.write(shot, results, output, notes=self.notes)
+        shot = self._asked
+        usd.write(shot, self._results, output, notes=self.notes)
         if compose is not None:
             usd.compose(shot, output, compose)
+
+    def draw_up(self, draft: Draft) -> None:
+        """Put the answer into a draft, and the draft where it belongs.
+
+        Raises:
+            SceneError: It would not be seen there; nothing is changed.
+        """
+        from usdmotion import usd
+
+        said = usd.put(draft.layer, self._asked, self._results, draft.folder, self.notes)
+        draft.put(whole=[take.result for take in self._shot.takes], **said)
+
+    @property
+    def _asked(self) -> Shot:
+        """What was read, with what is asked of it now."""
+        # Results are what has changed of what was read, be that cleaned and put on a ground or not.
+        pairs = zip(self._shot.scenes, self._scenes, strict=True)
+        return replace(
+            self._shot, scenes=tuple(_as_read(solved.scene, read) for read, solved in pairs)
+        )
+
+    @property
+    def _results(self) -> list[Result]:
+        return [each for solved in self._scenes for each in results_of(solved)]
 
     def _replace(self, path: str, constraint: Constraint | None) -> Change:
         """Solve with another constraint of a path, with one more, or with one less."""

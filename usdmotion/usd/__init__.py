@@ -21,11 +21,12 @@ from usdmotion.usd.detections import (
     detection_provenance,
     read_searches,
 )
+from usdmotion.usd.drafts import Draft
 from usdmotion.usd.edit_layers import files_of, read_outcomes
 from usdmotion.usd.edits import unsolved_edits
 from usdmotion.usd.guides import author_contact_guides
 from usdmotion.usd.inspected import Inspection
-from usdmotion.usd.inspection import inspect
+from usdmotion.usd.inspection import inspect, inspect_stage
 from usdmotion.usd.new_stages import new_stage
 from usdmotion.usd.normalized import author_normalized, read_normalized, write_normalized
 from usdmotion.usd.outcomes import outcomes_of, solved_edits
@@ -37,11 +38,12 @@ from usdmotion.usd.reading import read, read_stage
 from usdmotion.usd.recordings import write_recording
 from usdmotion.usd.region_authoring import author_region
 from usdmotion.usd.shot import Result, Shot
-from usdmotion.usd.stages import Stage
+from usdmotion.usd.stages import Stage, name_of
 from usdmotion.usd.variants import variant
 from usdmotion.usd.writing import compose, put, require_composable, write
 
 __all__ = [
+    "Draft",
     "Found",
     "Inspection",
     "Overlay",
@@ -66,6 +68,8 @@ __all__ = [
     "edits_of",
     "files_of",
     "inspect",
+    "inspect_stage",
+    "name_of",
     "new_stage",
     "outcomes_of",
     "put",

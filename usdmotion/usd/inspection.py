@@ -50,7 +50,11 @@ def inspect(path: Path, kinds: Sequence[type[Constraint]]) -> Inspection:
     Raises:
         FileError: The file cannot be opened.
     """
-    stage = open_stage(path)
+    return inspect_stage(open_stage(path), path, kinds)
+
+
+def inspect_stage(stage: Usd.Stage, path: Path, kinds: Sequence[type[Constraint]]) -> Inspection:
+    """Return what is on a stage that is open, as `inspect` does; `path` is how it is called."""
     facts = read_facts(stage)
     prims = list(Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()))
     edits = [prim for prim in prims if is_a(prim, "UsdMotionEdit")]

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pxr import Usd
+from pxr import Sdf, Usd
 
 from usdmotion.constraints import Constraint
 from usdmotion.errors import SceneError
@@ -15,7 +15,7 @@ from usdmotion.outcome import Outcome, Record
 from usdmotion.scene import Edit, Scene
 from usdmotion.usd.characters import read_character
 from usdmotion.usd.origins import depends_on
-from usdmotion.usd.provenance import input_hash, recorded
+from usdmotion.usd.provenance import input_hash, recorded, records
 from usdmotion.usd.reading import read_stage
 from usdmotion.usd.relations import bound_animation, is_a, value
 from usdmotion.usd.shot import Shot, Take
@@ -27,10 +27,10 @@ class _Found:
 
     animation: Usd.Prim
     edit: str
-    layer: str
-    """Identifier of the layer that says of itself that it holds it, "" for none."""
+    record: str
+    """Which record of which layer tells of it, "" for none."""
     said: Mapping[str, Any]
-    """What that layer says."""
+    """What that says."""
 
 
 def outcomes_of(
@@ -85,7 +85,7 @@ def solved_edits(stage: Usd.Stage) -> tuple[str, ...]:
 
 def recorded_edits(said: Mapping[str, Any]) -> tuple[str, ...]:
     """Return the paths of the edits whose results a layer says that it holds."""
-    return tuple(str(edit) for edit in said.get("hashes", {}))
+    return tuple(str(edit) for each in records(said) for edit in each.get("hashes", {}))
 
 
 def has_edits(stage: Usd.Stage, edits: Sequence[str]) -> bool:
@@ -99,19 +99,21 @@ def _results(stage: Usd.Stage) -> Iterator[_Found]:
         if is_a(prim, "UsdSkelAnimation") and relationship:
             layers = [spec.layer for spec in prim.GetPrimStack()]
             for edit in map(str, relationship.GetTargets()):
-                holder = next((each for each in layers if edit in _hashes(recorded(each))), None)
-                identifier = holder.identifier if holder else ""
-                yield _Found(prim, edit, identifier, recorded(holder) if holder else {})
+                yield _found(prim, edit, layers)
+
+
+def _found(animation: Usd.Prim, edit: str, layers: Sequence[Sdf.Layer]) -> _Found:
+    for layer in layers:
+        for number, said in enumerate(records(recorded(layer))):
+            if edit in said.get("hashes", {}):
+                return _Found(animation, edit, f"{number} {layer.identifier}", said)
+    return _Found(animation, edit, "", {})
 
 
 def _ground(said: Mapping[str, Any]) -> list[str] | None:
     """Return the paths of the ground that was asked for, over what the edits say."""
     paths = said.get("ground")
     return None if paths is None else [str(path) for path in paths if path != PROGRAM]
-
-
-def _hashes(said: Mapping[str, Any]) -> Mapping[str, str]:
-    return dict(said.get("hashes", {}))
 
 
 def _require_edit(stage: Usd.Stage, found: _Found) -> None:
@@ -123,10 +125,10 @@ def _require_edit(stage: Usd.Stage, found: _Found) -> None:
 
 
 def _groups(found: Sequence[_Found]) -> list[list[_Found]]:
-    """Return results together that one layer holds; those of no such layer one by one."""
+    """Return results together that were made so; those of which nothing tells one by one."""
     groups: dict[str, list[_Found]] = {}
     for each in found:
-        groups.setdefault(each.layer or each.edit, []).append(each)
+        groups.setdefault(each.record or each.edit, []).append(each)
     return list(groups.values())
 
 

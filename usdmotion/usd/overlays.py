@@ -10,7 +10,7 @@ from pxr import Sdf, Usd, Vt
 
 from usdmotion.errors import SceneError
 from usdmotion.usd.layers import relative, require_writable, save
-from usdmotion.usd.provenance import own_version, recorded
+from usdmotion.usd.provenance import KEY, own_version, recorded
 from usdmotion.usd.stages import composition_faults, open_stage, read_facts, refuse, used_files
 from usdmotion.usd.writing import composed, name_fallbacks
 
@@ -64,7 +64,7 @@ class Overlay:
             for name, value in said.items()
         }
         told = {**recorded(layer), "version": own_version(), **plain}
-        layer.customLayerData = {**layer.customLayerData, "usdmotion": told}
+        layer.customLayerData = {**layer.customLayerData, KEY: told}
 
     def write(self) -> None:
         """Write the layer, whole or not at all.

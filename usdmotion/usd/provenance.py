@@ -3,7 +3,7 @@
 import dataclasses
 import hashlib
 import struct
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
@@ -13,6 +13,12 @@ from pxr import Sdf, Vt
 
 from usdmotion.usd.shot import Result, Shot, Take
 
+KEY = "usdmotion"
+"""Key of a layer's own data under which it says how it was made."""
+_EARLIER = "earlier"
+"""Key under which a layer keeps what it says of results that were made before the last ones."""
+_RECORD = ("version", "solver", "options", "hashes", "frames", "cleaning", "ground", "notes")
+"""What a layer says of results that were made together."""
 _NOT_READ = ("holder", "bound", "folder")
 """Fields of a take that only say where the result goes, or where the files lie."""
 
@@ -69,8 +75,45 @@ def provenance(
 
 def recorded(layer: Sdf.Layer) -> Mapping[str, Any]:
     """Return what a layer says of itself, as `provenance` has it; nothing where it does not."""
-    said = layer.customLayerData.get("usdmotion", {})
+    said = layer.customLayerData.get(KEY, {})
     return said if isinstance(said, Mapping) else {}
+
+
+def records(said: Mapping[str, Any]) -> tuple[Mapping[str, Any], ...]:
+    """Return what a layer says of all its results: those that were made together are in one."""
+    return (said, *said.get(_EARLIER, {}).values())
+
+
+def joined(before: Mapping[str, Any], said: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what a layer says of itself when something has been put beside what was there.
+
+    Args:
+        before: What it said.
+        said: What is told of what was put: of results, as `provenance` has it, or else.
+    """
+    if "hashes" not in said:
+        return {"version": own_version(), **before} | {
+            key: _over(value, before.get(key)) for key, value in said.items()
+        }
+    made = {key: value for key, value in before.items() if key in _RECORD}
+    kept = [_without(each, said["hashes"]) for each in (made, *records(before)[1:])]
+    earlier = {next(iter(each["hashes"])): each for each in kept if each.get("hashes")}
+    others = {key: value for key, value in before.items() if key not in (*_RECORD, _EARLIER)}
+    return others | dict(said) | ({_EARLIER: earlier} if earlier else {})
+
+
+def _over(value: Any, before: Any) -> Any:
+    if isinstance(value, Mapping) and isinstance(before, Mapping):
+        return {**before, **{key: _over(held, before.get(key)) for key, held in value.items()}}
+    return value
+
+
+def _without(record: Mapping[str, Any], edits: Iterable[str]) -> dict[str, Any]:
+    """Return what is said of results without those of some edits."""
+    left = dict(record)
+    for key in ("hashes", "options"):
+        left[key] = {edit: each for edit, each in record.get(key, {}).items() if edit not in edits}
+    return left
 
 
 def _feed(digest: Any, value: Any) -> None:

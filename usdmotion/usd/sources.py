@@ -39,28 +39,35 @@ def read_extras(animation: Usd.Prim) -> str:
     # Flattening makes all paths absolute, and those of a machine are nobody else's business.
     UsdUtils.ModifyAssetPaths(
         layer,
-        lambda path: relative(path, folder) if isabs(path) and path not in absolute else path,
+        lambda path: (
+            relative(path, folder) if folder and isabs(path) and path not in absolute else path
+        ),
     )
     return str(layer.ExportToString())
 
 
 def folder_of(animation: Usd.Prim) -> str:
-    """Return the folder of the file in which an animation is written."""
+    """Return the folder of the file in which an animation is written, "" where it is in none."""
     layer = animation.GetPrimStack()[0].layer
     file = Sdf.Layer.SplitIdentifier(layer.realPath)[0].split("[")[0]
-    return str(dirname(realpath(file)))
+    return str(dirname(realpath(file))) if file else ""
 
 
 def extras_for(text: str, old_folder: str, new_folder: str) -> Sdf.Layer:
-    """Return extras as a layer whose paths of assets lead to the same files from a new folder."""
+    """Return extras as a layer whose paths of assets lead to the same files from a new folder.
+
+    Either is "" where there is none: nothing is relative to what is in no file.
+    """
     layer = Sdf.Layer.CreateAnonymous(".usda")
     layer.ImportFromString(text)
-    UsdUtils.ModifyAssetPaths(
-        layer,
-        lambda path: (
-            relative(join(old_folder, path), new_folder) if path.startswith(_ANCHORED) else path
-        ),
-    )
+
+    def led(path: str) -> str:
+        if not path.startswith(_ANCHORED) or not old_folder:
+            return path
+        file = join(old_folder, path)
+        return relative(file, new_folder) if new_folder else realpath(file)
+
+    UsdUtils.ModifyAssetPaths(layer, led)
     return layer
 
 

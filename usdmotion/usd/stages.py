@@ -2,6 +2,7 @@
 
 import os
 from pathlib import Path
+from typing import TypeAlias
 
 from pxr import Sdf, Tf, Usd, UsdGeom
 
@@ -9,7 +10,7 @@ from usdmotion.errors import FileError, SceneError
 from usdmotion.usd.faults import Fault
 from usdmotion.usd.shot import Facts
 
-Stage = Usd.Stage
+Stage: TypeAlias = Usd.Stage
 """A stage that is open, for those who do not know USD."""
 
 
@@ -27,6 +28,12 @@ def open_stage(path: Path) -> Usd.Stage:
         raise FileError(f"{path}: USD cannot read it: {reason(error)}") from error
 
 
+def name_of(stage: Stage) -> Path:
+    """Return how an open stage is called in a sentence."""
+    layer = stage.GetRootLayer()
+    return Path(layer.GetDisplayName() or layer.identifier)
+
+
 def reason(error: Tf.ErrorException) -> str:
     """Return what USD has to say about a failure, in one line."""
     said = [getattr(each, "commentary", str(each)) for each in error.args]
@@ -35,15 +42,14 @@ def reason(error: Tf.ErrorException) -> str:
 
 def read_facts(stage: Usd.Stage) -> Facts:
     """Return the units, axis and rates of a stage."""
-    layer = stage.GetRootLayer()
     return Facts(
         meters_per_unit=UsdGeom.GetStageMetersPerUnit(stage),
         up_axis=str(UsdGeom.GetStageUpAxis(stage)),  # type: ignore[arg-type]
         time_codes_per_second=stage.GetTimeCodesPerSecond(),
         frames_per_second=stage.GetFramesPerSecond(),
-        start=layer.startTimeCode if stage.HasAuthoredTimeCodeRange() else None,
-        end=layer.endTimeCode if stage.HasAuthoredTimeCodeRange() else None,
-        default_prim=layer.defaultPrim,
+        start=stage.GetStartTimeCode() if stage.HasAuthoredTimeCodeRange() else None,
+        end=stage.GetEndTimeCode() if stage.HasAuthoredTimeCodeRange() else None,
+        default_prim=stage.GetRootLayer().defaultPrim,
     )
 
 

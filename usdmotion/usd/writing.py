@@ -18,7 +18,7 @@ from usdmotion.usd.layers import (
     set_value,
     write_animation,
 )
-from usdmotion.usd.provenance import input_hash, own_version, provenance
+from usdmotion.usd.provenance import KEY, input_hash, own_version, provenance
 from usdmotion.usd.results import result_of
 from usdmotion.usd.shot import Facts, Result, Shot, Take
 from usdmotion.usd.sources import SOURCE, extras_for
@@ -41,12 +41,16 @@ def write(
     """
     require_writable(output, shot.layers)
     layer = new_layer(shot.facts)
-    layer.customLayerData = {"usdmotion": put(layer, shot, results, output.parent, notes)}
+    layer.customLayerData = {KEY: put(layer, shot, results, output.parent, notes)}
     save(layer, output)
 
 
 def put(
-    layer: Sdf.Layer, shot: Shot, results: Sequence[Result], folder: Path, notes: Sequence[str]
+    layer: Sdf.Layer,
+    shot: Shot,
+    results: Sequence[Result],
+    folder: Path | None,
+    notes: Sequence[str],
 ) -> dict[str, object]:
     """Put results and their bindings into a layer, over what is there.
 
@@ -54,7 +58,7 @@ def put(
         layer: Where.
         shot: What was read.
         results: One for each edit that was solved.
-        folder: Where the layer will lie.
+        folder: Where the layer will lie; None where it lies in none.
         notes: What whoever made them had to say.
 
     Returns:
@@ -73,7 +77,7 @@ def put(
     with Sdf.ChangeBlock():
         for result in results:
             take = takes[result.edit]
-            extras = extras_for(take.extras, take.folder, str(folder))
+            extras = extras_for(take.extras, take.folder, str(folder or ""))
             _write_result(layer, shot, take, result, extras, hashes[result.edit])
             _write_binding(layer, take)
     return provenance(shot, results, hashes, notes)

@@ -1,0 +1,5 @@
+"""What is made for a stage that is open: whole first, then put into its edit target at once."""
+
+from usdmotion.usd.drafts.draft import Draft
+
+__all__ = ["Draft"]

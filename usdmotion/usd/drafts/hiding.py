@@ -1,0 +1,70 @@
+"""Opinions that would hide what is to be written, because they are in stronger layers."""
+
+from collections.abc import Iterator, Sequence
+
+from pxr import Sdf
+
+from usdmotion.errors import SceneError
+from usdmotion.usd.drafts.merging import VALUES
+from usdmotion.usd.drafts.targets import Target
+
+_FIELDS = ("active", "typeName")
+"""Fields of a prim that are what the strongest layer says."""
+
+
+def refuse_hidden(draft: Sdf.Layer, target: Target) -> None:
+    """Raise if something that is to be written would not be seen.
+
+    Args:
+        draft: What is to be written, in the time codes of the target.
+        target: Where.
+
+    Raises:
+        SceneError: A stronger layer says something else.
+    """
+    for path, layer in _hidden(draft, target.stronger):
+        name = layer.GetDisplayName() or layer.identifier
+        raise SceneError(
+            f"<{path}> is authored in {name}, which is stronger than the edit target "
+            f"{target.layer.GetDisplayName() or target.layer.identifier} and would hide what is "
+            "written there; clear it, or make the stronger layer the edit target"
+        )
+
+
+def _hidden(
+    draft: Sdf.Layer, stronger: Sequence[Sdf.Layer]
+) -> Iterator[tuple[Sdf.Path, Sdf.Layer]]:
+    """Yield what is hidden, and by which layer."""
+    paths: list[Sdf.Path] = []
+    draft.Traverse(Sdf.Path.absoluteRootPath, paths.append)
+    for layer in stronger:
+        for path in sorted(paths):
+            spec = draft.GetObjectAtPath(path)
+            above = layer.GetObjectAtPath(path)
+            if isinstance(spec, Sdf.PrimSpec) and isinstance(above, Sdf.PrimSpec):
+                if not path.IsAbsoluteRootPath() and _hides_prim(above, spec):
+                    yield path, layer
+            elif isinstance(spec, Sdf.PropertySpec) and isinstance(above, Sdf.PropertySpec):
+                if _hides_property(above, spec):
+                    yield path, layer
+
+
+def _hides_prim(above: Sdf.PrimSpec, spec: Sdf.PrimSpec) -> bool:
+    # What is switched off above is switched off with whatever is written into it.
+    off = above.HasInfo("active") and not above.active and not spec.HasInfo("active")
+    return off or any(
+        above.HasInfo(key) and spec.HasInfo(key) and above.GetInfo(key) != spec.GetInfo(key)
+        for key in _FIELDS
+    )
+
+
+def _hides_property(above: Sdf.PropertySpec, spec: Sdf.PropertySpec) -> bool:
+    for key in VALUES:
+        if not above.HasInfo(key):
+            continue
+        value = above.GetInfo(key)
+        if hasattr(value, "ApplyOperations"):
+            value = value.ApplyOperations(spec.GetInfo(key))
+        if not spec.HasInfo(key) or value != spec.GetInfo(key):
+            return True
+    return False
