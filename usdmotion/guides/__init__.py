@@ -1,5 +1,6 @@
 """The shapes of what there is to look at: arrays in, arrays out, in metres."""
 
+from usdmotion.guides.axes import OCTAHEDRON_FACES, octahedron
 from usdmotion.guides.contacts import (
     ContactGuide,
     Held,
@@ -9,21 +10,30 @@ from usdmotion.guides.contacts import (
     trajectory,
 )
 from usdmotion.guides.palette import COLORS, Color, another, same
+from usdmotion.guides.polylines import simplified
 from usdmotion.guides.segments import GIRTH, SegmentGuide, is_segment_guide, segment_guide
+from usdmotion.guides.supports import SupportGuide, support_guide
+from usdmotion.guides.thinning import thinned
 
 __all__ = [
     "COLORS",
     "GIRTH",
+    "OCTAHEDRON_FACES",
     "Color",
     "ContactGuide",
     "Held",
     "SegmentGuide",
+    "SupportGuide",
     "another",
     "apart",
     "contact_guide",
     "is_segment_guide",
+    "octahedron",
     "same",
     "segment_guide",
+    "simplified",
     "size_of",
+    "support_guide",
+    "thinned",
     "trajectory",
 ]

@@ -28,6 +28,15 @@ class SegmentGuide:
     """The joint that each point follows, shape (point_count,)."""
     faces: Ints
     """Corners of each triangle, counterclockwise seen from outside, shape (face_count, 3)."""
+    ends: Ints
+    """The joint at which each segment of six points ends, -1 of a free end, (segment_count,)."""
+
+    @property
+    def reaching(self) -> Ints:
+        """The joints that points follow so that segments grow with what they connect, (N,)."""
+        joints = self.joints.reshape(-1, 6).copy()
+        joints[:, 5] = np.where(self.ends >= 0, self.ends, joints[:, 5])
+        return np.asarray(joints.ravel())
 
 
 def segment_guide(parents: Ints, positions: Floats, tip_joints: Ints, tips: Floats) -> SegmentGuide:
@@ -43,6 +52,7 @@ def segment_guide(parents: Ints, positions: Floats, tip_joints: Ints, tips: Floa
     joints = np.concatenate([parents[children], tip_joints])
     starts = positions[joints]
     ends = np.concatenate([positions[children], tips])
+    reached = np.concatenate([children, np.full(len(tip_joints), -1)])
     long = np.linalg.norm(ends - starts, axis=1) > _SHORTEST
     joints, starts, ends = joints[long], starts[long], ends[long]
     points = _octahedra(starts, ends)
@@ -51,6 +61,7 @@ def segment_guide(parents: Ints, positions: Floats, tip_joints: Ints, tips: Floa
         points=points.reshape(-1, 3),
         joints=np.repeat(joints, 6),
         faces=(firsts[:, None, None] + _FACES).reshape(-1, 3),
+        ends=reached[long],
     )
 
 

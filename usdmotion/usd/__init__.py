@@ -24,7 +24,7 @@ from usdmotion.usd.detections import (
 from usdmotion.usd.drafts import Draft
 from usdmotion.usd.edit_layers import files_of, read_outcomes
 from usdmotion.usd.edits import unsolved_edits
-from usdmotion.usd.guides import author_contact_guides
+from usdmotion.usd.guides import author_contact_guides, author_guides
 from usdmotion.usd.inspected import Inspection
 from usdmotion.usd.inspection import inspect, inspect_stage
 from usdmotion.usd.new_stages import new_stage
@@ -57,6 +57,7 @@ __all__ = [
     "author_detections",
     "author_edit",
     "author_feet",
+    "author_guides",
     "author_keeping",
     "author_mesh",
     "author_normalized",

@@ -3,6 +3,7 @@
 from pxr import Usd, UsdSkel
 
 from usdmotion.errors import SceneError
+from usdmotion.usd.drawn import without_guides
 from usdmotion.usd.relations import is_a
 
 
@@ -26,7 +27,7 @@ def holder_of(skeleton: Usd.Prim) -> str:
                 "instance not instanceable"
             )
         instance = instance.GetParent()
-    inside = Usd.PrimRange(instance, Usd.TraverseInstanceProxies())
+    inside = without_guides(Usd.PrimRange(instance, Usd.TraverseInstanceProxies()))
     for other in inside:
         if is_a(other, "UsdSkelSkeleton") and other != skeleton and _inherits(other, instance):
             raise SceneError(

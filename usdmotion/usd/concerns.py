@@ -4,6 +4,7 @@ from collections.abc import Iterable
 
 from pxr import Usd
 
+from usdmotion.usd.drawn import without_guides
 from usdmotion.usd.faults import CHECKS, Fault
 from usdmotion.usd.relations import is_a
 
@@ -13,7 +14,8 @@ _ELSEWHERE = ("Animation", "Recruiting")
 
 def concerns(top: Usd.Prim) -> list[Fault]:
     """List the faults of an edit and everything below it, or of another prim alone."""
-    prims = Usd.PrimRange(top) if is_a(top, "UsdMotionEdit") else [top]
+    below = without_guides(Usd.PrimRange(top))
+    prims = below if is_a(top, "UsdMotionEdit") else iter([top])
     return [
         fault
         for prim in prims

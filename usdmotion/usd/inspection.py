@@ -14,6 +14,7 @@ from usdmotion.usd.constraints import constraint_prims, goal_prims
 from usdmotion.usd.detections.contact_prims import contact_prims
 from usdmotion.usd.detections.noise_patterns import has_pattern
 from usdmotion.usd.detections.searches import DEFAULT_DETECTOR
+from usdmotion.usd.drawn import without_guides
 from usdmotion.usd.edits import DEFAULT_SOLVER, options_of
 from usdmotion.usd.faults import find
 from usdmotion.usd.faults.grounds import GROUND
@@ -56,7 +57,8 @@ def inspect(path: Path, kinds: Sequence[type[Constraint]]) -> Inspection:
 def inspect_stage(stage: Usd.Stage, path: Path, kinds: Sequence[type[Constraint]]) -> Inspection:
     """Return what is on a stage that is open, as `inspect` does; `path` is how it is called."""
     facts = read_facts(stage)
-    prims = list(Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()))
+    everything = Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
+    prims = list(without_guides(everything))
     edits = [prim for prim in prims if is_a(prim, "UsdMotionEdit")]
     constraints = [prim for edit in edits for prim in constraint_prims(edit)]
     known = {kind.schema for kind in kinds}

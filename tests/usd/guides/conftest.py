@@ -6,6 +6,11 @@ import pytest
 from pxr import Sdf, Usd
 
 from usdmotion import demos, pipeline
+from usdmotion.plugins import host
+from usdmotion.showing import shown
+from usdmotion.usd.guides import author_guides
+from usdmotion.usd.outcomes import outcomes_of
+from usdmotion.usd.overlays import Overlay
 
 DICE = ("/Dice/First", "/Dice/Second")
 FEET = ("LeftFoot", "RightFoot")
@@ -97,3 +102,33 @@ def over(tmp_path):
         return path
 
     return run
+
+
+@pytest.fixture(scope="session")
+def guided(tmp_path_factory):
+    """Return what draws what there is to see of a stage, in a layer over it."""
+
+    def run(shot: Path) -> Usd.Stage:
+        output = tmp_path_factory.mktemp("guided") / "guides.usda"
+        overlay = Overlay.open(shot, output)
+        outcomes = outcomes_of(overlay.stage, shot, host().constraints)
+        author_guides(overlay.stage, [shown(outcome) for outcome in outcomes])
+        overlay.write()
+        return Usd.Stage.Open(str(output))
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def reached(tmp_path_factory):
+    """Return the stage of `reaching` with its result."""
+    folder = tmp_path_factory.mktemp("reached")
+    shot = demos.build("reaching", folder)
+    composed = folder / "composed.usda"
+    pipeline.solve(shot, folder / "edit.usda", compose=composed)
+    return composed
+
+
+@pytest.fixture(scope="session")
+def reaching(reached, guided):
+    return guided(reached)

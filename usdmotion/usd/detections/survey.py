@@ -8,6 +8,7 @@ from pxr import Usd, UsdGeom
 from usdmotion.arrays import Floats
 from usdmotion.errors import SceneError
 from usdmotion.usd.detections.performers import Performer, read_performer
+from usdmotion.usd.drawn import without_guides
 from usdmotion.usd.relations import bound_animation, edit_of, is_a, skeleton_of, target, value
 from usdmotion.usd.stages import read_facts
 
@@ -30,10 +31,9 @@ class Survey:
         self._wanted = frozenset(skeletons)
         self.facts = read_facts(stage)
         switched_off_too = Usd.PrimIsDefined & ~Usd.PrimIsAbstract
+        everything = Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies(switched_off_too))
         self._prims = [
-            prim
-            for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies(switched_off_too))
-            if is_a(prim, "UsdGeomImageable")
+            prim for prim in without_guides(everything) if is_a(prim, "UsdGeomImageable")
         ]
         self._performers: dict[str, Performer] = {}
         self.only = self._edit(edit) if edit else None

@@ -6,6 +6,7 @@ validation where that takes validators in Python.
 
 from pxr import Usd
 
+from usdmotion.usd.drawn import without_guides
 from usdmotion.usd.faults.arrays import find_wrong_arrays, find_wrong_body_arrays
 from usdmotion.usd.faults.detections import find_idle_detections
 from usdmotion.usd.faults.fault import Check, Fault, Severity
@@ -89,7 +90,7 @@ def find(stage: Usd.Stage) -> list[Fault]:
     """List the faults of a stage, prim by prim in the order of the stage."""
     checks: dict[tuple[str, ...], list[Check]] = {}
     faults: list[Fault] = []
-    for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()):
+    for prim in without_guides(Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())):
         # Prims of a kind have the same checks, and a shot has many prims of few kinds.
         kind = (str(prim.GetTypeName()), *prim.GetAppliedSchemas())
         if kind not in checks:

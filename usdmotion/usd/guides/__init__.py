@@ -1,5 +1,6 @@
 """What there is to look at on a stage, as prims with the purpose guide."""
 
 from usdmotion.usd.guides.contacts import author_contact_guides
+from usdmotion.usd.guides.scenes import author_guides
 
-__all__ = ["author_contact_guides"]
+__all__ = ["author_contact_guides", "author_guides"]

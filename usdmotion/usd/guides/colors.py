@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from pxr import Usd
 
 from usdmotion.guides import COLORS, Color, another, same
-from usdmotion.usd.guides.prims import GUIDES
+from usdmotion.usd.drawn import GUIDES
 from usdmotion.usd.relations import is_a
 
 TRAJECTORY = f"{GUIDES}/Trajectory"

@@ -15,10 +15,10 @@ from usdmotion.guides import Color, ContactGuide, apart, contact_guide, size_of,
 from usdmotion.usd.detections.authoring import Authored
 from usdmotion.usd.detections.contact_prims import contact_prims
 from usdmotion.usd.detections.searches import Sought
+from usdmotion.usd.drawn import GUIDES
 from usdmotion.usd.guides.colors import TRAJECTORY, colors_of
 from usdmotion.usd.guides.holds import opacity_of, read_held
 from usdmotion.usd.guides.prims import (
-    GUIDES,
     author_curves,
     author_opacity,
     author_points,

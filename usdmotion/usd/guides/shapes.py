@@ -8,7 +8,8 @@ from pxr import Sdf, Tf, Usd, UsdGeom, UsdSkel, Vt
 from usdmotion.arrays import Floats
 from usdmotion.guides import Color
 from usdmotion.usd.detections.searches import Sought
-from usdmotion.usd.guides.prims import GUIDES, author_color, guide, make, place
+from usdmotion.usd.drawn import GUIDES
+from usdmotion.usd.guides.prims import author_color, guide, make, place
 from usdmotion.usd.guides.skins import Part, Skins
 from usdmotion.usd.layers import over, relate, set_value, set_varying
 from usdmotion.usd.transforms import world_matrices

@@ -15,6 +15,7 @@ from usdmotion.usd.clips import own_times
 from usdmotion.usd.concerns import concerns
 from usdmotion.usd.constraints import other_skeletons
 from usdmotion.usd.detections.trajectories import filled
+from usdmotion.usd.drawn import without_guides
 from usdmotion.usd.origins import depends_on, source_of
 from usdmotion.usd.relations import bound_animation, edit_of, is_a, skeleton_of
 from usdmotion.usd.roots import parts_of
@@ -51,7 +52,8 @@ def find_subjects(stage: Usd.Stage, named: str = "", edits: Sequence[str] = ()) 
     Raises:
         SceneError: Nobody does, or it is not clear which edit is meant.
     """
-    prims = list(Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()))
+    everything = Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
+    prims = list(without_guides(everything))
     every = [prim for prim in prims if is_a(prim, "UsdMotionEdit") and not prim.IsInstanceProxy()]
     _refuse_unknown(every, edits)
     wanted = stage.GetPrimAtPath(named) if named else None

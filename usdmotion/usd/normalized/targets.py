@@ -13,6 +13,7 @@ from usdmotion.travelling import Luggage, Meanings, Way, bodies
 from usdmotion.usd.bindings import holder_of
 from usdmotion.usd.characters import Sitting, read_character
 from usdmotion.usd.concerns import concerns
+from usdmotion.usd.drawn import without_guides
 from usdmotion.usd.layers import apply_schema, over, relate, write_animation
 from usdmotion.usd.normalized.subjects import bodies_of, morphology_of
 from usdmotion.usd.relations import bound_animation, is_a
@@ -49,7 +50,8 @@ def find_target(stage: Usd.Stage, named: str) -> Usd.Prim:
     Raises:
         SceneError: There are several, or none, or not that one.
     """
-    prims = Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
+    everything = Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())
+    prims = without_guides(everything)
     known = {str(prim.GetPath()): prim for prim in prims if is_a(prim, "UsdSkelSkeleton")}
     if not known:
         raise SceneError("there is no Skeleton to put the motion on; name another stage")

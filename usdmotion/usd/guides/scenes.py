@@ -1,0 +1,147 @@
+"""Guides of scenes: what was asked of each edit, what became of it, and what it started from."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from pxr import Sdf, Usd, UsdGeom
+
+from usdmotion.arrays import Floats
+from usdmotion.guides import COLORS
+from usdmotion.showing.shown import ShownEdit, ShownScene
+from usdmotion.usd.guides.balances import draw_balance
+from usdmotion.usd.guides.courses import draw_course, draw_miss
+from usdmotion.usd.guides.goals import draw_goals
+from usdmotion.usd.guides.pages import Page
+from usdmotion.usd.guides.placements import author_world, placement
+from usdmotion.usd.guides.sheets import Sheet, author_home, redrawn
+from usdmotion.usd.guides.skeletons import Ghost, draw_ghost, read_ghost
+from usdmotion.usd.relations import is_a
+from usdmotion.usd.shot import Facts
+from usdmotion.usd.stages import read_facts
+
+_SMALLEST = 1e-3
+"""The size of a body that has none [m]."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Drawing:
+    """An edit as it is to be drawn."""
+
+    page: Page
+    shown: ShownEdit
+    ghost: Ghost | None
+
+
+def author_guides(stage: Usd.Stage, shown: Sequence[ShownScene]) -> tuple[str, ...]:
+    """Draw what there is to see of some scenes, in the edit target of their stage.
+
+    What was drawn of their edits before is drawn anew; what is gone is gone from the layer, and is
+    switched off where a weaker layer has it.
+
+    Args:
+        stage: The stage that the scenes were read from.
+        shown: What there is to see of them.
+
+    Returns:
+        Paths of the prims below which something is drawn.
+
+    Raises:
+        SceneError: The motion that an edit starts from cannot be read.
+    """
+    sheet, facts = Sheet(stage), read_facts(stage)
+    drawings = [_drawing(sheet, scene, edit, facts) for scene in shown for edit in scene.edits]
+    paths = [drawing.shown.path for drawing in drawings]
+    homes = [path for path, owner in sheet.homes().items() if _is_drawn_anew(path, owner, paths)]
+    with redrawn(sheet, homes):
+        for drawing in drawings:
+            _draw(drawing)
+    return tuple(
+        path for path in sheet.homes() if any(path.startswith(f"{each}/") for each in paths)
+    )
+
+
+def _drawing(sheet: Sheet, scene: ShownScene, edit: ShownEdit, facts: Facts) -> _Drawing:
+    stage, codes = sheet.stage, scene.scene.time_codes
+    prim, skeleton = stage.GetPrimAtPath(edit.path), stage.GetPrimAtPath(edit.skeleton)
+    box = _box(scene, edit) / facts.meters_per_unit
+    world = placement(prim, codes, box)
+    owners = _owners(edit)
+    elsewhere = {
+        owner: placement(stage.GetPrimAtPath(owner), codes, box)
+        for owner in owners
+        if _is_moved(stage.GetPrimAtPath(owner), prim)
+    }
+    page = Page(
+        sheet=sheet,
+        home=sheet.home(edit.path),
+        codes=sheet.own_codes(codes),
+        unit=facts.meters_per_unit,
+        size=_size(scene, edit) / facts.meters_per_unit,
+        up=facts.up,
+        world=world,
+        elsewhere=elsewhere,
+        homes={owner: sheet.home(owner) for owner in owners},
+        colors={owner: COLORS[index % len(COLORS)] for index, owner in enumerate(owners)},
+    )
+    ghost = read_ghost(prim, skeleton, codes, facts) if edit.solved else None
+    return _Drawing(page, edit, ghost)
+
+
+def _draw(drawing: _Drawing) -> None:
+    page, edit = drawing.page, drawing.shown
+    author_home(page.sheet, page.home)
+    author_world(page.sheet, page.home, page.world)
+    if drawing.ghost is not None:
+        draw_ghost(page, drawing.ghost)
+    for course in edit.courses:
+        draw_course(page, course)
+    draw_goals(page, edit.goals)
+    if edit.balance is not None:
+        draw_balance(page, edit.balance)
+    for miss in edit.misses:
+        draw_miss(page, miss)
+
+
+def _owners(edit: ShownEdit) -> list[str]:
+    """Return the paths of the constraints that something is drawn of, each once."""
+    goals = (goal.path.rsplit("/", 1)[0] for goal in edit.goals)
+    others = [*(each.path for each in edit.courses), *(each.path for each in edit.misses)]
+    balance = [edit.balance.path] if edit.balance and edit.balance.path != edit.path else []
+    return list(dict.fromkeys([*others, *goals, *balance]))
+
+
+def _is_moved(prim: Usd.Prim, edit: Usd.Prim) -> bool:
+    """Tell whether a constraint may be elsewhere than its edit."""
+    while prim and prim != edit:
+        if UsdGeom.Xformable(prim):
+            return True
+        prim = prim.GetParent()
+    return False
+
+
+def _is_drawn_anew(home: str, owner: Usd.Prim, edits: Sequence[str]) -> bool:
+    """Tell whether guides are of some edits, or of what is switched off or gone."""
+    if is_a(owner, "UsdMotionDetection") or is_a(owner, "UsdMotionContactConstraint"):
+        return False
+    path = Sdf.Path(home)
+    return (
+        not owner or not owner.IsActive() or any(path.HasPrefix(Sdf.Path(each)) for each in edits)
+    )
+
+
+def _size(scene: ShownScene, edit: ShownEdit) -> float:
+    """Return how large a body is: how far its joints are spread at most along an axis [m]."""
+    return max(float(np.ptp(_actor(scene, edit), axis=1).max()), _SMALLEST)
+
+
+def _box(scene: ShownScene, edit: ShownEdit) -> Floats:
+    """Return the corners of a box around all that a body reaches [m], shape (8, 3)."""
+    places = _actor(scene, edit)
+    low, high = places.min(axis=(0, 1)), places.max(axis=(0, 1))
+    return np.asarray(np.where(list(np.ndindex(2, 2, 2)), high, low))
+
+
+def _actor(scene: ShownScene, edit: ShownEdit) -> Floats:
+    """Return where the joints of an edit's body are in the input [m], (F, J, 3)."""
+    return next(actor.before[0] for actor in scene.actors if actor.character.path == edit.skeleton)

@@ -1,0 +1,150 @@
+"""The layer that guides are drawn in, and what is drawn on the stage already."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from pxr import Sdf, Usd
+
+from usdmotion.arrays import Floats
+from usdmotion.usd.drawn import GUIDES, is_home, is_home_spec
+from usdmotion.usd.guides.prims import guide, make
+from usdmotion.usd.layers import over
+
+_EVERYTHING = Usd.PrimIsDefined & ~Usd.PrimIsAbstract
+"""What is switched off too."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sheet:
+    """The edit target of a stage, to be drawn in."""
+
+    stage: Usd.Stage
+
+    @property
+    def layer(self) -> Sdf.Layer:
+        """Where guides are written."""
+        return self.stage.GetEditTarget().GetLayer()
+
+    def own_codes(self, codes: Floats) -> Floats:
+        """Return time codes of the stage as those of the layer, which may be under an offset."""
+        offset = self.stage.GetEditTarget().GetMapFunction().timeOffset
+        return np.asarray((codes - offset.offset) / offset.scale)
+
+    def home(self, owner: str) -> str:
+        """Return the path below a prim where its guides are, or are to be: none of anybody else's.
+
+        Args:
+            owner: Path of an edit, a constraint or a detection.
+        """
+        number, path = 1, f"{owner}/{GUIDES}"
+        while (there := self.stage.GetPrimAtPath(path)) and not is_home(there):
+            number += 1
+            path = f"{owner}/{GUIDES}{number}"
+        return path
+
+    def homes(self) -> dict[str, Usd.Prim]:
+        """Return the owners of guides that are on the stage, by the paths of their guides."""
+        prims = Usd.PrimRange.Stage(self.stage, _EVERYTHING)
+        found = {str(prim.GetPath()): prim.GetParent() for prim in prims if is_home(prim)}
+
+        # What stands below a prim that is switched off is not on the stage.
+        def look(path: Sdf.Path) -> None:
+            if path.IsPrimPath() and is_home_spec(self.layer.GetPrimAtPath(path)):
+                found.setdefault(str(path), self.stage.GetPrimAtPath(path.GetParentPath()))
+
+        self.layer.Traverse(Sdf.Path.absoluteRootPath, look)
+        return found
+
+
+def author_home(sheet: Sheet, path: str) -> Sdf.PrimSpec:
+    """Make the prim below which guides are drawn."""
+    home = over(sheet.layer, path)
+    make(home, "Xform")
+    guide(home)
+    return home
+
+
+@contextmanager
+def redrawn(sheet: Sheet, homes: Iterable[str]) -> Iterator[None]:
+    """Take out what was drawn in some places, let it be drawn anew, and hide the rest of it.
+
+    Nothing can be read from the stage meanwhile.
+
+    Args:
+        sheet: Where.
+        homes: The places, as paths of guides that are there.
+    """
+    behind = {path: seen for home in homes for path, seen in _behind(sheet, home)}
+    with Sdf.ChangeBlock():
+        for home in homes:
+            _remove(sheet.layer.GetPrimAtPath(home))
+        yield
+        hidden: list[Sdf.Path] = []
+        for path, seen in behind.items():
+            if not any(path.HasPrefix(each) for each in hidden):
+                if _settle(sheet.layer, path, seen):
+                    hidden.append(path)
+
+
+@dataclass(frozen=True, eq=False)
+class _Behind:
+    """What weaker layers say of a guide."""
+
+    properties: Mapping[str, Any]
+    """Type and variability of each attribute, by its name."""
+    active: bool
+
+
+def _behind(sheet: Sheet, home: str) -> Iterator[tuple[Sdf.Path, _Behind]]:
+    """Yield what weaker layers say of what is drawn below a prim, from above down."""
+    prim = sheet.stage.GetPrimAtPath(home)
+    for each in Usd.PrimRange(prim, Usd.PrimAllPrimsPredicate) if prim else ():
+        specs = [spec for spec in _own_specs(each) if spec.layer != sheet.layer]
+        if specs:
+            known = {
+                name: (attribute.typeName, attribute.variability)
+                for spec in reversed(specs)
+                for name, attribute in spec.attributes.items()
+            }
+            said = [spec.GetInfo("active") for spec in specs if spec.HasInfo("active")]
+            yield each.GetPath(), _Behind(known, not said or bool(said[0]))
+
+
+def _own_specs(prim: Usd.Prim) -> Iterator[Sdf.PrimSpec]:
+    """Yield the specs of a prim that are not those of what it refers to, the strongest first."""
+    waiting = [prim.GetPrimIndex().rootNode]
+    while waiting:
+        node = waiting.pop(0)
+        specs = (layer.GetPrimAtPath(node.path) for layer in node.layerStack.layers)
+        yield from (spec for spec in specs if spec)
+        waiting += [each for each in node.children if each.IsDueToAncestor()]
+
+
+def _settle(layer: Sdf.Layer, path: Sdf.Path, seen: _Behind) -> bool:
+    """Let weaker layers say nothing more of a guide than is drawn; tell whether it is hidden."""
+    spec = layer.GetPrimAtPath(path)
+    if spec is None or spec.specifier == Sdf.SpecifierOver:
+        if seen.active:
+            over(layer, str(path)).SetInfo("active", False)
+        return True
+    if not seen.active:
+        spec.SetInfo("active", True)
+    for name, (kind, variability) in seen.properties.items():
+        if name not in spec.attributes:
+            Sdf.AttributeSpec(spec, name, kind, variability).default = Sdf.ValueBlock()
+    return False
+
+
+def _remove(spec: Sdf.PrimSpec | None) -> None:
+    """Remove a spec, and those above it that say nothing without it."""
+    while spec:
+        above = spec.realNameParent
+        del above.nameChildren[spec.name]
+        spec = None if above.path.IsAbsoluteRootPath() or not _is_idle(above) else above
+
+
+def _is_idle(spec: Sdf.PrimSpec) -> bool:
+    return spec.specifier == Sdf.SpecifierOver and bool(spec.IsInert(ignoreChildren=False))
