@@ -6,19 +6,45 @@ makes all of what it makes first and writes it in one change, or raises and chan
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
 
-from usdmotion.answering import Say, solved_scenes
+from usdmotion.answering import Say, beside_its_input, solved_scenes
 from usdmotion.asking import Asked
+from usdmotion.errors import SceneError
+from usdmotion.outcome import Outcome
 from usdmotion.plugins import host
 from usdmotion.report import Report
 from usdmotion.report.contacts import DetectionReport
+from usdmotion.report.findings import Findings, findings_of
+from usdmotion.reporting import require_matplotlib, tell
 from usdmotion.searching import search_stage
 from usdmotion.session import Session
 
 if TYPE_CHECKING:
     from usdmotion.usd import Inspection, Stage
+
+_Made = TypeVar("_Made")
+
+
+@dataclass(frozen=True)
+class Worst:
+    """Where the result of a constraint is furthest from what is asked."""
+
+    path: str
+    """Path of the constraint."""
+    time_code: float
+    """When its error is largest, of the times at which it is judged."""
+    error: float
+    """In `unit`."""
+    unit: str
+    """`m` or `deg`."""
+    tolerance: float
+    """What counts as met, in `unit`."""
+    met: bool
+    """Whether the error is within it."""
 
 
 def inspect(stage: Stage) -> Inspection:
@@ -79,3 +105,153 @@ def solve(stage: Stage, edits: Sequence[str] = (), *, say: Say = lambda _: None)
     session = Session(read, solved_scenes(read, say=say))
     session.draw_up(draft)
     return session.report()
+
+
+def shown(stage: Stage, edit: str) -> bool:
+    """Tell whether a Skeleton is bound to the result of an edit, or to what was made from it.
+
+    Raises:
+        SceneError: There is no such edit.
+    """
+    from usdmotion import usd
+
+    return _named(stage, lambda: usd.is_shown(stage, edit))
+
+
+def show(stage: Stage, edit: str, on: bool) -> None:
+    """Bind the result of an edit, or what it was made from, in the edit target.
+
+    Where the result of another edit is stacked on it, that one is shown, or hidden as well.
+
+    Args:
+        stage: The stage.
+        edit: Path of the MotionEdit.
+        on: Whether its result is to be shown.
+
+    Raises:
+        SceneError: There is no such edit, it has no result, or the edit target is at fault.
+    """
+    from usdmotion import usd
+
+    draft = usd.Draft(stage)
+    _named(stage, lambda: usd.author_shown(draft.stage, edit, on))
+    draft.put()
+
+
+def worst(stage: Stage, constraint: str) -> Worst:
+    """Return where the result of a constraint, as it stands, is furthest from what is asked.
+
+    Args:
+        stage: The stage.
+        constraint: Path of the constraint, or of a prim below it.
+
+    Raises:
+        SceneError: It has no result, or is never fully on.
+    """
+    for outcome in _outcomes(stage):
+        for edit in findings_of(outcome).edits:
+            for trace in edit.traces:
+                found = trace.verdict
+                if constraint != found.path and not constraint.startswith(f"{found.path}/"):
+                    continue
+                if found.worst_time is None:
+                    raise SceneError(f"<{found.path}> is never fully on, so that nothing judges it")
+                left = (found.max, found.unit, trace.tolerance, found.met)
+                return Worst(found.path, found.worst_time, *left)
+    raise SceneError(
+        f"<{constraint}> is no constraint of an edit that has a result; solve it first"
+    )
+
+
+def add_position_constraint(
+    stage: Stage, skeleton: str, joint: str, *, time_code: float, space: str = ""
+) -> str:
+    """Make a position constraint with one goal, around a time, in the edit target.
+
+    It goes into the edit of the Skeleton, which is made where there is none. It ranks below what is
+    there, and recruits what that lets it. It can be solved as it is: its goal follows a prim, or is
+    an offset to the motion, of nothing until somebody moves it.
+
+    Args:
+        stage: The stage.
+        skeleton: Path of the Skeleton, or of the MotionEdit of one that it is to go into.
+        joint: The joint, as a token, leaf name or H-Anim name.
+        time_code: The middle of the second for which it is on.
+        space: Path of the prim that the goal follows; "" offsets the motion.
+
+    Returns:
+        Path of the constraint. Its goal is the prim `Goal` below it.
+
+    Raises:
+        SceneError: What is named is not there, or the edit target is at fault.
+    """
+    from usdmotion import usd
+
+    draft = usd.Draft(stage)
+    path = _named(
+        stage,
+        lambda: usd.author_reach(draft.stage, skeleton, joint, time_code=time_code, space=space),
+    )
+    draft.put()
+    return path
+
+
+def make_template(stage: Stage, contact: str) -> None:
+    """Make a contact an example, from which the next detection learns, in the edit target.
+
+    Args:
+        stage: The stage.
+        contact: Path of the MotionContactConstraint, or of a prim below it.
+
+    Raises:
+        SceneError: It is no contact of a detection, or the edit target is at fault.
+    """
+    from usdmotion import usd
+
+    draft = usd.Draft(stage)
+    _named(stage, lambda: usd.author_template(draft.stage, contact))
+    draft.put()
+
+
+def report(stage: Stage, output: Path, *, say: Say = lambda _: None) -> tuple[Findings, ...]:
+    """Write the report of the results on a stage, as `reporting.report` does of files.
+
+    Args:
+        stage: The stage.
+        output: The file of HTML.
+        say: Is told what is being done.
+
+    Returns:
+        What it tells, scene by scene.
+
+    Raises:
+        InputError: There is no result, the report cannot be written, or matplotlib is missing.
+    """
+    from usdmotion import usd
+
+    usd.require_apart((), (output,))
+    require_matplotlib()
+    say("reading the stage")
+    return tell(_outcomes(stage), usd.name_of(stage).name, output, say=say)
+
+
+def _outcomes(stage: Stage) -> list[Outcome]:
+    """Return what became of the edits of a stage, beside the input that they started from."""
+    from usdmotion import usd
+
+    name, call = usd.name_of(stage), "usdmotion.reporting.report"
+    solved = usd.solved_edits(stage)
+    if not solved:
+        raise SceneError(f"{name}: there is no result of a MotionEdit; solve it first")
+    read = usd.outcomes_of(stage, name, host().constraints, solved)
+    return [beside_its_input(each, None, name, call) for each in read]
+
+
+def _named(stage: Stage, made: Callable[[], _Made]) -> _Made:
+    """Return what is made of a stage; errors name it."""
+    from usdmotion import usd
+
+    try:
+        return made()
+    except SceneError as error:
+        raise SceneError(f"{usd.name_of(stage)}: {error}") from error

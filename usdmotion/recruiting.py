@@ -73,6 +73,16 @@ def violations(parents: Parents, claims: Sequence[Claim]) -> list[Violation]:
     return found
 
 
+def allowed(parents: Parents, claims: Sequence[Claim], low: Claim) -> frozenset[str]:
+    """Return the joints that a claim may recruit under some others without breaking the rule."""
+    moves = movers(parents, low.effectors)
+    recruits = low.recruits
+    for high in claims:
+        if high.priority < low.priority:
+            recruits -= (moves & movers(parents, high.effectors)) - high.recruits
+    return recruits
+
+
 def mend(parents: Parents, claims: Sequence[Claim]) -> list[Claim]:
     """Return the claims with the fewest joints added that make them keep the rule."""
     moves = {claim.name: movers(parents, claim.effectors) for claim in claims}

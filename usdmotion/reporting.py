@@ -1,18 +1,19 @@
 """The report of a shot that was solved: one page, and its pictures as files."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from usdmotion.answering import beside_its_input
 from usdmotion.errors import FileError
 from usdmotion.grounding import Told
+from usdmotion.outcome import Outcome
 from usdmotion.plugins import host
 from usdmotion.report.findings import Findings, findings_of
 from usdmotion.report.page import Chapter, page
 from usdmotion.report.pictures import drawing, pictures_of, postures_of, require_matplotlib
 from usdmotion.terminal import write_bytes, write_text
 
-__all__ = ["report", "require_matplotlib"]
+__all__ = ["report", "require_matplotlib", "tell"]
 
 
 def report(
@@ -50,6 +51,33 @@ def report(
     read = usd.read_outcomes(result, shot=shot, kinds=host().constraints)
     call = "usdmotion.reporting.report"
     outcomes = [beside_its_input(each, ground, result, call) for each in read]
+    return tell(outcomes, result.name, output, png=png, say=say)
+
+
+def tell(
+    outcomes: Sequence[Outcome],
+    name: str,
+    output: Path,
+    *,
+    png: Path | None = None,
+    say: Callable[[str], None] = lambda _: None,
+) -> tuple[Findings, ...]:
+    """Write the report of some outcomes that are beside their inputs, as `report` does.
+
+    Args:
+        outcomes: What became of each scene.
+        name: How the whole is called.
+        output: The file of HTML.
+        png: The folder into which the pictures are written as well, made where it is missing.
+        say: Is told what is being done.
+
+    Returns:
+        What it tells, scene by scene.
+
+    Raises:
+        InputError: The report cannot be written, or matplotlib is missing.
+    """
+    require_matplotlib()
     say("measuring")
     findings = tuple(findings_of(outcome) for outcome in outcomes)
     say("drawing")
@@ -61,7 +89,7 @@ def report(
         ]
         if png is not None:
             _write_pictures(chapters, png)
-        write_text(page(result.name, chapters), str(output))
+        write_text(page(name, chapters), str(output))
     return findings
 
 

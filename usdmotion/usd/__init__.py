@@ -18,6 +18,7 @@ from usdmotion.usd.detections import (
     Found,
     author_detections,
     author_feet,
+    author_template,
     detection_provenance,
     read_searches,
 )
@@ -34,10 +35,12 @@ from usdmotion.usd.outputs import require_apart
 from usdmotion.usd.overlays import Overlay
 from usdmotion.usd.planting import author_keeping, author_passes, edits_of
 from usdmotion.usd.prop_authoring import author_mesh, author_prop
+from usdmotion.usd.reaches import author_reach
 from usdmotion.usd.reading import read, read_stage
 from usdmotion.usd.recordings import write_recording
 from usdmotion.usd.region_authoring import author_region
 from usdmotion.usd.shot import Result, Shot
+from usdmotion.usd.shown_results import author_shown, is_shown
 from usdmotion.usd.stages import Stage, name_of
 from usdmotion.usd.variants import variant
 from usdmotion.usd.writing import compose, put, require_composable, write
@@ -63,13 +66,17 @@ __all__ = [
     "author_normalized",
     "author_passes",
     "author_prop",
+    "author_reach",
     "author_region",
+    "author_shown",
+    "author_template",
     "compose",
     "detection_provenance",
     "edits_of",
     "files_of",
     "inspect",
     "inspect_stage",
+    "is_shown",
     "name_of",
     "new_stage",
     "outcomes_of",

@@ -60,12 +60,12 @@ def names_target(prim: Usd.Prim, name: str) -> bool:
 
 def edit_of(prim: Usd.Prim) -> Usd.Prim | None:
     """Return the edit that a prim is a part of: the nearest above it, or itself."""
-    return _nearest(prim, "UsdMotionEdit")
+    return nearest(prim, "UsdMotionEdit")
 
 
 def travels(prim: Usd.Prim) -> bool:
     """Tell whether a prim is a normalized motion, or one of the constraints that travel with it."""
-    return _nearest(prim, "UsdMotionNormalized") is not None
+    return nearest(prim, "UsdMotionNormalized") is not None
 
 
 def skeleton_of(prim: Usd.Prim) -> Usd.Prim | None:
@@ -74,10 +74,10 @@ def skeleton_of(prim: Usd.Prim) -> Usd.Prim | None:
     if named is not None:
         return named if is_a(named, "UsdSkelSkeleton") else None
     for kind in ("UsdMotionEdit", "UsdMotionDetection"):
-        above = _nearest(prim, kind)
+        above = nearest(prim, kind)
         if above is not None and above != prim:
             return skeleton_of(above)
-    return _nearest(prim, "UsdSkelSkeleton")
+    return nearest(prim, "UsdSkelSkeleton")
 
 
 def joints_of(skeleton: Usd.Prim) -> tuple[str, ...]:
@@ -111,7 +111,8 @@ def suggestion(name: str, known: tuple[str, ...]) -> str:
     return f"it has {some}" if known else "it has none"
 
 
-def _nearest(prim: Usd.Prim, name: str) -> Usd.Prim | None:
+def nearest(prim: Usd.Prim, name: str) -> Usd.Prim | None:
+    """Return the nearest prim of a TfType above a prim, or itself; None where there is none."""
     while prim and not prim.IsPseudoRoot():
         if is_a(prim, name):
             return prim

@@ -21,6 +21,7 @@ from usdmotion.usd.layers import (
 from usdmotion.usd.provenance import KEY, input_hash, own_version, provenance
 from usdmotion.usd.results import result_of
 from usdmotion.usd.shot import Facts, Result, Shot, Take
+from usdmotion.usd.shown_results import author_binding
 from usdmotion.usd.sources import SOURCE, extras_for
 
 
@@ -79,7 +80,7 @@ def put(
             take = takes[result.edit]
             extras = extras_for(take.extras, take.folder, str(folder or ""))
             _write_result(layer, shot, take, result, extras, hashes[result.edit])
-            _write_binding(layer, take)
+            author_binding(layer, take.holder, take.bound)
     return provenance(shot, results, hashes, notes)
 
 
@@ -148,9 +149,3 @@ def _write_result(
     set_value(prim, "usdmotion:result:solver", Sdf.ValueTypeNames.Token, result.solver)
     set_value(prim, "usdmotion:result:version", Sdf.ValueTypeNames.String, own_version())
     set_value(prim, "usdmotion:result:inputHash", Sdf.ValueTypeNames.String, digest)
-
-
-def _write_binding(layer: Sdf.Layer, take: Take) -> None:
-    holder = over(layer, take.holder)
-    apply_schema(holder, "SkelBindingAPI")
-    relate(holder, "skel:animationSource", take.bound)

@@ -9,6 +9,7 @@ from usdmotion.usd.detections.authoring import (
 from usdmotion.usd.detections.entries import Entry
 from usdmotion.usd.detections.feet import author_feet
 from usdmotion.usd.detections.searches import Sought, read_searches
+from usdmotion.usd.detections.templates import author_template
 
 __all__ = [
     "Authored",
@@ -17,6 +18,7 @@ __all__ = [
     "Sought",
     "author_detections",
     "author_feet",
+    "author_template",
     "detection_provenance",
     "read_searches",
 ]

@@ -11,7 +11,7 @@ from usdmotion.plugins import host
 from usdmotion.usd.attribute_authoring import define
 from usdmotion.usd.detections.joints import feet_of
 from usdmotion.usd.detections.objects import Watched, find_watched
-from usdmotion.usd.detections.places import Place, Places
+from usdmotion.usd.detections.places import Place, Places, author_edit_above
 from usdmotion.usd.detections.searches import DEFAULT_DETECTOR
 from usdmotion.usd.detections.survey import Survey
 from usdmotion.usd.relations import edit_of
@@ -76,11 +76,7 @@ def _is_carried(one: Watched, watched: Sequence[Watched]) -> bool:
 
 
 def _author(stage: Usd.Stage, watched: Watched, place: Place, carried: bool) -> None:
-    above = str(Sdf.Path(place.path).GetParentPath())
-    if place.parent_type and not stage.GetPrimAtPath(above):
-        edit = define(stage, above, place.parent_type)
-        if place.skeleton:
-            edit.GetRelationship("usdmotion:skeleton").SetTargets([place.skeleton])
+    author_edit_above(stage, place)
     prim = define(stage, place.path, "MotionDetection")
     prim.GetAttribute("usdmotion:joint").Set(watched.joint)
     prim.GetAttribute("usdmotion:minimum").Set(SHORTEST)

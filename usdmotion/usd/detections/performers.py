@@ -37,6 +37,8 @@ class Performer:
     """It alone."""
     ground: float
     """Height of the ground under it, along the up axis [m]."""
+    facts: Facts
+    """Units and rates of the stage."""
 
     @property
     def path(self) -> str:
@@ -89,4 +91,4 @@ def read_performer(
     sitting = read_character(skeleton, source, codes, facts)
     cast = Cast.of([sitting.character])
     ground = ground_height(cast.positions[:, 1:], up)
-    return Performer(skeleton, edit, codes, sitting, cast, ground)
+    return Performer(skeleton, edit, codes, sitting, cast, ground, facts)

@@ -4,8 +4,10 @@ from dataclasses import dataclass, field
 
 from pxr import Sdf, Tf, Usd
 
+from usdmotion.usd.attribute_authoring import define
 from usdmotion.usd.detections.joints import leaf_of
 from usdmotion.usd.detections.objects import Watched
+from usdmotion.usd.detections.performers import Performer
 
 EDIT = "Contacts"
 """Name of the edit that is made of a skeleton that has none."""
@@ -41,11 +43,21 @@ class Places:
         if watched.performer is None:
             assert watched.prim is not None
             return self._named(self._beside(watched.prim), watched.prim.GetName())
-        edit = watched.performer.edit
-        above = Place(str(edit.GetPath())) if edit else self._new_edit(watched.performer.prim)
-        return self._named(above, leaf_of(watched.joint))
+        return self.within(watched.performer, leaf_of(watched.joint))
 
-    def _new_edit(self, skeleton: Usd.Prim) -> Place:
+    def within(self, performer: Performer, name: str, new: str = EDIT) -> Place:
+        """Return where a prim of some name is to be made in the edit of a skeleton.
+
+        Args:
+            performer: The skeleton.
+            name: How the prim is called, but for a number behind it.
+            new: How an edit is called that is to be made as well.
+        """
+        edit = performer.edit
+        above = Place(str(edit.GetPath())) if edit else self._new_edit(performer.prim, new)
+        return self._named(above, name)
+
+    def _new_edit(self, skeleton: Usd.Prim, new: str) -> Place:
         path = str(skeleton.GetPath())
         if path not in self._edits:
             # Nothing can be written inside an instance.
@@ -53,7 +65,7 @@ class Places:
             while outside.IsInstanceProxy():
                 outside = outside.GetParent()
             moved = outside != skeleton
-            name = f"{outside.GetName()}_{EDIT}" if moved else EDIT
+            name = f"{outside.GetName()}_{new}" if moved else new
             above = outside.GetParent() if moved else skeleton
             free = self._free(str(above.GetPath()), name)
             self._edits[path] = Place(free, "MotionEdit", path if moved else "")
@@ -77,6 +89,15 @@ class Places:
             path = _join(above, f"{name}{number}")
         self._taken.add(path)
         return path
+
+
+def author_edit_above(stage: Usd.Stage, place: Place) -> None:
+    """Make the edit that a prim is to stand in, in the edit target, where it is not there yet."""
+    above = str(Sdf.Path(place.path).GetParentPath())
+    if place.parent_type and not stage.GetPrimAtPath(above):
+        edit = define(stage, above, place.parent_type)
+        if place.skeleton:
+            edit.GetRelationship("usdmotion:skeleton").SetTargets([place.skeleton])
 
 
 def _join(above: str, name: str) -> str:

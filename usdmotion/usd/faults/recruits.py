@@ -21,16 +21,7 @@ from usdmotion.usd.roots import root_of
 
 def find_broken_recruiting(prim: Usd.Prim) -> Iterator[Fault]:
     """Find constraints of an edit that may move a joint under one of higher rank that may not."""
-    skeleton = skeleton_of(prim)
-    if skeleton is None or not _is_tree(joints_of(skeleton)):
-        return  # other checks say so
-    parents = _parents(joints_of(skeleton))
-    root = _root(prim, skeleton)
-    claims = [
-        _claim(constraint, skeleton, parents, root)
-        for constraint in Usd.PrimRange(prim)
-        if is_a(constraint, "UsdMotionConstraint") and edit_of(constraint) == prim
-    ]
+    parents, claims = claims_of(prim)
     for broken in violations(parents, claims):
         joints = ", ".join(f"'{joint}'" for joint in broken.joints)
         low = prim.GetStage().GetPrimAtPath(broken.low)
@@ -40,6 +31,23 @@ def find_broken_recruiting(prim: Usd.Prim) -> Iterator[Fault]:
             f"may move {joints} under <{broken.high}>, which is of a higher rank and does not "
             f"recruit them; add them to its usdmotion:recruits, or take them from this one",
         )
+
+
+def claims_of(edit: Usd.Prim) -> tuple[Parents, list[Claim]]:
+    """Return the joints of the Skeleton of an edit, and what its constraints claim of them.
+
+    Both are empty where the joints are no tree; another check says so.
+    """
+    skeleton = skeleton_of(edit)
+    if skeleton is None or not _is_tree(joints_of(skeleton)):
+        return {}, []
+    parents = _parents(joints_of(skeleton))
+    root = _root(edit, skeleton)
+    return parents, [
+        _claim(constraint, skeleton, parents, root)
+        for constraint in Usd.PrimRange(edit)
+        if is_a(constraint, "UsdMotionConstraint") and edit_of(constraint) == edit
+    ]
 
 
 def _is_tree(joints: tuple[str, ...]) -> bool:

@@ -1,0 +1,29 @@
+"""A contact that is an example: the next detection learns from it."""
+
+from pxr import Usd
+
+from usdmotion.errors import SceneError
+from usdmotion.usd.relations import is_a, nearest
+
+
+def author_template(stage: Usd.Stage, path: str) -> None:
+    """Make a contact a template.
+
+    Args:
+        stage: Where, in its edit target.
+        path: Path of the contact, or of a prim below it.
+
+    Raises:
+        SceneError: It is no contact, or one that no detection learns from.
+    """
+    prim = stage.GetPrimAtPath(path)
+    contact = nearest(prim, "UsdMotionContactConstraint")
+    if contact is None:
+        kind = f"a {prim.GetTypeName()}" if prim and prim.GetTypeName() else "no prim of a type"
+        raise SceneError(f"<{path}> is {kind}, and no contact; name a MotionContactConstraint")
+    if not is_a(contact.GetParent(), "UsdMotionDetection"):
+        raise SceneError(
+            f"<{contact.GetPath()}> is in no MotionDetection, so that nothing learns from it; move "
+            "it into that of its joint or prim"
+        )
+    contact.GetAttribute("usdmotion:template").Set(True)
