@@ -15,8 +15,15 @@ if TYPE_CHECKING:
 
 Kind = Literal["before", "after", "other"]
 _FILLS = {"before": "#dfe3e7", "after": "#3f8fc6", "other": "#c9a0c0"}
-_FAR_FILLS = {"before": "#d3d8dd", "after": "#0a5f9b", "other": "#a9739d"}
+_FAR_FILLS = {"before": "#c6cdd4", "after": "#0a5f9b", "other": "#a9739d"}
 """Of the body's right side, so that the limbs can be told apart."""
+_RESULTS = (
+    (_FILLS["after"], _FAR_FILLS["after"]),
+    ("#ab93cf", "#7453a6"),
+    ("#72b8a8", "#2c7a6b"),
+    ("#b9a26b", "#86682a"),
+)
+"""Of the results of several characters, both sides of each."""
 _EDGES = {"before": "#aeb5bc", "after": "#ffffff", "other": "#ffffff"}
 _LINE = 0.5
 """Width of the line around a limb [points]."""
@@ -49,7 +56,7 @@ def draw_body(
     moved.draw(axes, order={"before": 2, "other": 3, "after": 4}[kind])
 
 
-def limbs(mannequin: Mannequin, eye: Eye, pose: WorldPose, kind: Kind) -> Polygons:
+def limbs(mannequin: Mannequin, eye: Eye, pose: WorldPose, kind: Kind, number: int = 0) -> Polygons:
     """Return the limbs of a body, those left out that are partly behind the eye.
 
     Args:
@@ -57,13 +64,17 @@ def limbs(mannequin: Mannequin, eye: Eye, pose: WorldPose, kind: Kind) -> Polygo
         eye: From where it is seen.
         pose: World positions [m] and orientations of its joints.
         kind: Who it is.
+        number: Which of several characters, whose results differ in colour.
     """
     starts, ends = mannequin.capsules(*pose)
     seen = np.maximum(eye.near(starts), eye.near(ends)) < eye.limit
     starts, ends, radii = starts[seen], ends[seen], mannequin.radii[seen]
     shapes, order = outlines(eye, starts, ends, radii)
     right, inner = mannequin.right[seen][order], mannequin.inner[seen][order]
-    fills = _either(right, _FAR_FILLS[kind], _FILLS[kind])
+    one, far = _RESULTS[number % len(_RESULTS)]
+    if kind != "after":
+        one, far = _FILLS[kind], _FAR_FILLS[kind]
+    fills = _either(right, far, one)
     return Polygons(
         list(shapes),
         (eye.near(0.5 * (starts + ends)) + radii)[order],

@@ -75,12 +75,13 @@ def _solids(panel: Panel, window: Window, point: float, across: float) -> Iterat
             yield patch(mark, eye, window, longest)
             yield curve(outline(mark), eye, window, point, 1.6 * longest)
         elif isinstance(mark, Curve) and not mark.dashed:
-            yield curve(mark, eye, window, point, longest)
+            # Of two that are at one place the stronger is seen.
+            yield curve(mark, eye, window, point, (0.6 + 0.9 * mark.opacity) * longest)
 
 
 def _body(panel: Panel, body: Body, lift: float) -> Polygons:
     """Return the limbs of a body, those of a result before those of an input."""
-    drawn = limbs(body.mannequin, panel.eye, body.pose, body.kind)
+    drawn = limbs(body.mannequin, panel.eye, body.pose, body.kind, body.number)
     kinds = {each.kind for each in panel.bodies}
     if body.kind != "before" and "before" in kinds:
         lift += _BEFORE

@@ -12,7 +12,7 @@ from usdmotion.drawing.style import INK, SOFT, Picture
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-WIDE = 7.5
+WIDE = 7.4
 """Most width of a strip [inches]."""
 _TALL = {1: 3.4, 2: 3.0, 3: 2.6}
 """Most height of a row, by how many panels it has [inches]."""

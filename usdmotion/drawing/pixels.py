@@ -4,17 +4,17 @@ from io import BytesIO
 
 import numpy as np
 
-_OFTEN, _OTHERS = 16, 24
-"""How many colours are kept as they are, and to how many the others are brought."""
-_SHARE = 2e-4
-"""Kept is what more than this share of a picture has."""
+from usdmotion.arrays import Ints
+
+_COLORS = 36
+"""Of a picture at most: the fewer, the smaller its file."""
 _BASES = np.array((65536, 256, 1))
 
 
 def of_few_colors(png: bytes) -> bytes:
-    """Return a picture with a palette, in less than a fourth of the bytes.
+    """Return a picture with a palette, in about a fifth of the bytes.
 
-    Areas of one colour keep theirs; the shades between them are brought to few. The same picture
+    Areas of one colour keep theirs; the shades at their edges are brought to few. The same picture
     is the same bytes.
     """
     from PIL import Image
@@ -23,15 +23,29 @@ def of_few_colors(png: bytes) -> bytes:
         drawn = opened.convert("RGB")
     pixels = np.asarray(drawn).reshape(-1, 3) @ _BASES
     found, which, counts = np.unique(pixels, return_inverse=True, return_counts=True)
-    often = np.argsort(-counts, kind="stable")[:_OFTEN]
-    often = often[counts[often] > _SHARE * len(pixels)]
-    others = drawn.quantize(_OTHERS, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
-    colors = found[:, None] // _BASES % 256
-    more = np.reshape((others.getpalette() or [])[: 3 * _OTHERS], (-1, 3))
-    palette = np.concatenate([colors[often], more])
-    nearest = ((colors[:, None] - palette) ** 2).sum(axis=2).argmin(axis=1).astype(np.uint8)
-    few = Image.fromarray(nearest[which.reshape(drawn.height, drawn.width)])
+    palette, nearest = _palette(found[:, None] // _BASES % 256, counts)
+    few = Image.fromarray(nearest[which].reshape(drawn.height, drawn.width).astype(np.uint8))
     few.putpalette(palette.astype(np.uint8).tobytes())
     held = BytesIO()
     few.save(held, format="png", optimize=True)
     return held.getvalue()
+
+
+def _palette(colors: Ints, counts: Ints) -> tuple[Ints, Ints]:
+    """Return a few of some colours, and which of them each is the most like.
+
+    Taken are one by one those of which most is off, so that what is small but of its own colour is
+    kept as well as what is large.
+
+    Args:
+        colors: Red, green and blue, 0..255, shape (color_count, 3).
+        counts: How many pixels have each, shape (color_count,).
+    """
+    chosen, nearest = [int(counts.argmax())], np.zeros(len(colors), dtype=np.int64)
+    off = ((colors - colors[chosen[0]]) ** 2).sum(axis=1)
+    while len(chosen) < _COLORS and off.any():
+        chosen.append(int((counts * off).argmax()))
+        away = ((colors - colors[chosen[-1]]) ** 2).sum(axis=1)
+        nearest[away < off] = len(chosen) - 1
+        off = np.minimum(off, away)
+    return colors[chosen], nearest

@@ -21,6 +21,8 @@ class Body:
     pose: WorldPose
     """Of its joints, (joint_count, 3) and (joint_count, 4)."""
     kind: Kind
+    number: int = 0
+    """Which of several characters, whose results differ in colour."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,6 +84,9 @@ class Patch:
     """Whether it may go beyond the panel."""
 
 
+Mark = Curve | Spot | Patch
+
+
 @dataclass(frozen=True, eq=False)
 class Panel:
     """One picture of a strip: a moment, seen from somewhere."""
@@ -90,7 +95,7 @@ class Panel:
     eye: Eye
     bodies: tuple[Body, ...] = ()
     surfaces: tuple[Surface, ...] = ()
-    marks: tuple[Curve | Spot | Patch, ...] = ()
+    marks: tuple[Mark, ...] = ()
     ground: float | None = None
     """Height of the level ground to draw a grid on [m]; None draws none."""
     up: tuple[float, float, float] = (0.0, 1.0, 0.0)

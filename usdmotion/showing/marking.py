@@ -1,0 +1,121 @@
+"""What is drawn over a pose: trajectories, goals, balance, and what is missed."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from usdmotion.arrays import Floats
+from usdmotion.drawing.strips import Curve, Mark, Patch, Spot
+from usdmotion.drawing.style import BEFORE, COURSE, GOAL, INK, MISSED, SUPPORT
+from usdmotion.guides.supports import support_guide
+from usdmotion.quality import along_ground
+from usdmotion.showing.shown import BalanceMark, Course, GoalMark, Miss, ShownEdit, ShownScene
+
+_STILL = 0.02
+"""An effector that stays within this has no trajectory to be seen [m]."""
+_CHANGED = 0.01
+"""A trajectory that is changed by less is drawn as one that is kept [m]."""
+_ALONG = 0.4
+"""Of two trajectories that are never farther apart, as of a heel and a toe, one is drawn [m]."""
+_PALE = 0.35
+"""How strong a trajectory is where the effector is not yet, and what it was."""
+_FAINT = 0.2
+"""Of a goal that is hardly on."""
+_MARGIN = 0.02
+"""How far the area of support goes around its points [m]."""
+_AT = 1e-3
+"""A goal nearer to what is missed than this is that [m]."""
+
+
+def marks(shown: ShownScene, frame: int, *, after: bool) -> tuple[Mark, ...]:
+    """Return what is to be drawn over the poses of one frame.
+
+    Args:
+        shown: What there is to see of a scene.
+        frame: Number of the frame.
+        after: Whether the results are drawn; else the inputs.
+    """
+    up = shown.scene.up
+    return tuple(mark for edit in shown.edits for mark in _of_edit(edit, up, frame, after))
+
+
+def _of_edit(edit: ShownEdit, up: Floats, frame: int, after: bool) -> Iterator[Mark]:
+    for course in _apart(edit.courses):
+        yield from _course(course, frame, after)
+    if edit.balance is not None:
+        yield from _balance(edit.balance, up, frame, after)
+    missed = [each for each in edit.misses if after and each.missed[frame]]
+    for goal in edit.goals:
+        if goal.activity[frame] > 0.0 and not _is_missed(goal, missed, frame):
+            opacity = _FAINT + (1.0 - _FAINT) * float(goal.activity[frame])
+            yield Spot(goal.translations[frame], "goal", GOAL, opacity)
+    for miss in missed:
+        yield from _miss(miss, frame)
+
+
+def _apart(courses: Sequence[Course]) -> list[Course]:
+    """Return trajectories without those that go along one of a higher rank, as a heel and a toe."""
+    found: list[Course] = []
+    for course in courses:
+        ways = [np.linalg.norm(_latest(course) - _latest(each), axis=1) for each in found]
+        if all(away.max() > _ALONG for away in ways):
+            found.append(course)
+    return found
+
+
+def _latest(course: Course) -> Floats:
+    return course.before if course.after is None else course.after
+
+
+def _course(course: Course, frame: int, after: bool) -> Iterator[Mark]:
+    """Yield a trajectory: strong where the effector was, pale where it will be.
+
+    One that was changed is drawn beside what it was. One that was kept is thin.
+    """
+    result = course.after if after and course.after is not None else None
+    points = course.before if result is None else result
+    shift = 0.0 if course.after is None else _farthest(course.after - course.before)
+    changed = course.after is None or shift > _CHANGED
+    if result is not None and changed:
+        yield Curve(course.before, BEFORE, 0.8, _PALE)
+    if _farthest(points - points[0]) > _STILL:
+        color = BEFORE if result is None else COURSE
+        width = 1.3 if changed else 0.7
+        yield Curve(points[frame:], color, width, _PALE)
+        yield Curve(points[: frame + 1], color, width)
+
+
+def _balance(mark: BalanceMark, up: Floats, frame: int, after: bool) -> Iterator[Mark]:
+    """Yield the centre of mass, plumb over the hull of what it is supported by."""
+    result = mark.after if after and mark.after is not None else None
+    center = (mark.before if result is None else result)[frame]
+    bearing = mark.supports[frame][mark.bearing[frame]]
+    if len(bearing):
+        foot = along_ground(center, up) + float(np.mean(bearing @ up)) * up
+        one = slice(frame, frame + 1)
+        area = support_guide(mark.supports[one], mark.bearing[one], up, _MARGIN).corners[0]
+        yield Patch(area, SUPPORT)
+        yield Curve(np.stack([center, foot]), INK, 0.7, 0.7, dashed=True)
+        yield Spot(foot, "held", INK)
+    yield Spot(center, "mass", INK)
+
+
+def _miss(miss: Miss, frame: int) -> Iterator[Mark]:
+    """Yield what is missed: from the effector to where it is wanted, by its name."""
+    place, name = miss.places[frame], miss.name
+    if miss.wanted is None:
+        yield Spot(place, "missed", MISSED, text=name)
+        return
+    yield Curve(np.stack([place, miss.wanted[frame]]), MISSED, 1.6, beyond=False)
+    yield Spot(place, "held", MISSED)
+    yield Spot(miss.wanted[frame], "missed", MISSED, text=name)
+
+
+def _is_missed(goal: GoalMark, missed: Sequence[Miss], frame: int) -> bool:
+    """Tell whether a goal is where something is missed, and is drawn as that."""
+    there = [each.wanted[frame] for each in missed if each.wanted is not None]
+    return any(np.linalg.norm(goal.translations[frame] - each) < _AT for each in there)
+
+
+def _farthest(shifts: Floats) -> float:
+    return float(np.linalg.norm(shifts, axis=1).max(initial=0.0))
