@@ -78,12 +78,8 @@ def shown(path, skeleton="/Body/Skeleton"):
     unit = UsdGeom.GetStageMetersPerUnit(stage)
     matrices = np.array(
         [
-            [
-                np.array(
-                    Gf.Matrix4d(each) * UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(code)
-                )
-                for each in query.ComputeJointSkelTransforms(code)
-            ]
+            np.array(query.ComputeJointSkelTransforms(code))
+            @ np.array(UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(code))
             for code in codes
         ]
     )

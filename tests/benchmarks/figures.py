@@ -53,6 +53,7 @@ def solving(small: bool) -> list[Figure]:
     walking = walk(1.0 if small else 6.0)
     seconds, frames = float(walking.motion.times[-1]), walking.motion.frame_count
     near, far = reaching(walking), reaching(walking, OUT_OF_REACH)
+    events = 3 if small else 12
     return [
         *iterations(walking),
         Figure(
@@ -70,10 +71,10 @@ def solving(small: bool) -> list[Figure]:
             1.0,
         ),
         hour(10.0 if small else 3600.0),
-        drags(6.0, 40, WITHIN_REACH, ""),
-        drags(6.0, 60, WITHIN_REACH, ""),
-        drags(6.0, 60, OUT_OF_REACH, ", out of reach"),
-        drags(10.0 if small else 3600.0, 60, WITHIN_REACH, ""),
+        drags(6.0, 40, WITHIN_REACH, "", events),
+        drags(6.0, 60, WITHIN_REACH, "", events),
+        drags(6.0, 60, OUT_OF_REACH, ", out of reach", events),
+        drags(10.0 if small else 3600.0, 60, WITHIN_REACH, "", events),
     ]
 
 
@@ -107,11 +108,11 @@ def hour(seconds: float) -> Figure:
     )
 
 
-def drags(seconds: float, frames: int, offset: Floats, what: str) -> Figure:
+def drags(seconds: float, frames: int, offset: Floats, what: str, events: int) -> Figure:
     """Return what the drag of one goal takes, in the middle of some, from the event to poses."""
     walking = walk(seconds)
     solved = SolvedScene(reaching_for(walking, offset, frames), host().solver("prioritized_ik")())
-    ways = np.random.default_rng(0).normal(scale=0.02, size=(12, 3))
+    ways = np.random.default_rng(0).normal(scale=0.02, size=(events, 3))
 
     def drag(way: Floats) -> float:
         start = perf_counter()

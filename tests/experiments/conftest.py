@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from pxr import Gf, Sdf, Usd, UsdGeom, UsdSkel
+from pxr import Sdf, Usd, UsdGeom, UsdSkel
 from scipy.spatial.transform import Rotation
 
 from usdmotion import demos, pipeline, usd
@@ -36,20 +36,17 @@ class Take:
         cache = UsdSkel.Cache()
         cache.Populate(UsdSkel.Root.Find(prim), Usd.TraverseInstanceProxies())
         query = cache.GetSkelQuery(UsdSkel.Skeleton(prim))
-        unit = UsdGeom.GetStageMetersPerUnit(stage)
         world, local = [], []
         for time in times:
             code = Usd.TimeCode(time)
             place = UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(code)
-            skel = query.ComputeJointSkelTransforms(code)
-            matrices = np.array([np.array(Gf.Matrix4d(each) * place) for each in skel])
-            matrices[:, 3, :3] *= unit
-            world.append(matrices)
-            joints = [
-                each.ExtractRotationQuat() for each in query.ComputeJointLocalTransforms(code)
-            ]
-            local.append([(*each.imaginary, each.real) for each in joints])
-        return cls(tuple(query.GetJointOrder()), times, np.array(world), np.array(local))
+            world.append(np.array(query.ComputeJointSkelTransforms(code)) @ np.array(place))
+            local.append(np.array(query.ComputeJointLocalTransforms(code)))
+        matrices = np.array(world)
+        matrices[..., 3, :3] *= UsdGeom.GetStageMetersPerUnit(stage)
+        axes = np.array(local)[..., :3, :3]
+        turns = Rotation.from_matrix(axes.reshape(-1, 3, 3).swapaxes(1, 2)).as_quat()
+        return cls(tuple(query.GetJointOrder()), times, matrices, turns.reshape(*axes.shape[:2], 4))
 
     def part(self, frames: slice) -> "Take":
         """Return some of its frames."""

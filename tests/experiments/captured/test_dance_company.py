@@ -60,7 +60,7 @@ class Dancer:
         world = UsdGeom.Xformable(prim).ComputeLocalToWorldTransform
         matrices = np.array(
             [
-                [np.array(each * world(code)) for each in query.ComputeJointSkelTransforms(code)]
+                np.array(query.ComputeJointSkelTransforms(code)) @ np.array(world(code))
                 for code in codes
             ]
         )

@@ -32,15 +32,21 @@ def conflict(clip, high, middle, low):
     ]
 
 
-def test_priorities_2_10_15_and_1_2_3_give_the_same_bits(clip, ask):
-    far, near = (ask(clip, conflict(clip, *ranks), knees="") for ranks in ((2, 10, 15), (1, 2, 3)))
+@pytest.fixture(scope="module")
+def near(clip, ask):
+    """Return the answer with the priorities 1, 2, 3."""
+    return ask(clip, conflict(clip, 1, 2, 3), knees="")
+
+
+def test_priorities_2_10_15_and_1_2_3_give_the_same_bits(clip, ask, near):
+    far = ask(clip, conflict(clip, 2, 10, 15), knees="")
     assert np.array_equal(far.after.local, near.after.local)
     assert np.array_equal(far.after.world, near.after.world)
 
 
-def test_other_ranks_give_another_answer(clip, ask):
-    feet, elbow = (ask(clip, conflict(clip, *ranks), knees="") for ranks in ((1, 2, 3), (3, 2, 1)))
-    assert feet.millimetres(feet.after.world[:, :, 3, :3] - elbow.after.world[:, :, 3, :3]) > 50.0
+def test_other_ranks_give_another_answer(clip, ask, near):
+    elbow = ask(clip, conflict(clip, 3, 2, 1), knees="")
+    assert near.millimetres(near.after.world[:, :, 3, :3] - elbow.after.world[:, :, 3, :3]) > 50.0
 
 
 @pytest.fixture(scope="module")
@@ -55,16 +61,21 @@ def breaking(clip):
     return [*planted, wants(clip, "l_radiocarpal", 2, 1.5)]
 
 
-def test_a_stack_that_breaks_the_recruiting_rule_is_named_with_what_mends_it(clip, ask, breaking):
-    notes = ask(clip, breaking, knees="").report.notes
+@pytest.fixture(scope="module")
+def broken(clip, ask, breaking):
+    """Return what becomes of them as they are."""
+    return ask(clip, breaking, knees="")
+
+
+def test_a_stack_that_breaks_the_recruiting_rule_is_named_with_what_mends_it(clip, broken):
+    notes = broken.report.notes
     for side in SIDES:
         (note,) = (each for each in notes if f"Edit/{side}_ankle>" in each and "recruit" in each)
         assert f"recruit {clip.token('humanoid_root')}" in note
         assert f"<{clip.skeleton}/Edit/l_radiocarpal>" in note
 
 
-def test_mended_the_feet_are_met_and_the_wrist_gets_nearer(clip, ask, breaking):
-    broken = ask(clip, breaking, knees="")
+def test_mended_the_feet_are_met_and_the_wrist_gets_nearer(clip, ask, breaking, broken):
     mended = ask(clip, breaking, knees="", mend_recruiting=True)
     assert not any("recruit" in each for each in mended.report.notes)
     for side in SIDES:

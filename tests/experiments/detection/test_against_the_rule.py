@@ -5,6 +5,7 @@ very frames. The contacts are found with no template, or with the longest stance
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import pytest
 from usdmotion_contacts import best_thresholds
@@ -30,27 +31,41 @@ class F1:
     """Of those with one of each limb that ever stands."""
 
 
-def measure(group, said, noise, outliers):
-    seeds = SEEDS if noise or outliers else SEEDS[:1]
-    noisy = [limb.noisy(noise, outliers, seed=seed) for seed in seeds for limb in group]
+def measure(judged, names, noise, outliers):
+    noisy, scores = (
+        [each for part in parts for each in part]
+        for parts in zip(*(judged(name, noise, outliers) for name in names), strict=True)
+    )
     best = best_thresholds(*zip(*((n.search, n.held, n.known) for n in noisy), strict=True))
-    scores = [
-        sum((each.judge(said(each, templates=t(each))) for each in noisy[1:]),
-            noisy[0].judge(said(noisy[0], templates=t(noisy[0]))))
-        for t in (lambda limb: (), lambda limb: limb.longest)
-    ]  # fmt: skip
-    return F1(best.f1, *(score.f1 for score in scores))
+    first, *rest = scores
+    return F1(best.f1, *(sum(more, one).f1 for one, *more in zip(first, *rest, strict=True)))
 
 
 @pytest.fixture(scope="module")
-def table(limbs, said, tell):
+def judged(limbs, said):
+    """Return what adds noise to limbs, and judges the contacts without and with a template."""
+
+    @cache
+    def run(name, noise, outliers):
+        seeds = SEEDS if noise or outliers else SEEDS[:1]
+        noisy = [limb.noisy(noise, outliers, seed=seed) for seed in seeds for limb in limbs[name]]
+        scores = [
+            [each.judge(said(each, templates=shown)) for shown in ((), each.longest)]
+            for each in noisy
+        ]
+        return noisy, scores
+
+    return run
+
+
+@pytest.fixture(scope="module")
+def table(judged, tell):
     """Return the figures by clips, noise and outliers."""
     found = {}
     for clips, names in (CLIPS | PARTS).items():
-        group = [limb for name in names for limb in limbs[name]]
         for noise in NOISE:
             for outliers in OUTLIERS:
-                f1 = measure(group, said, noise, outliers)
+                f1 = measure(judged, names, noise, outliers)
                 found[clips, noise, outliers] = f1
                 tell(
                     f"F1 on {clips}, {noise * 1e3:2.0f} mm, {outliers:.0%} outliers: rule "
