@@ -59,7 +59,9 @@ def example(verb: str) -> list[str]:
 
 
 def test_these_are_the_verbs() -> None:
-    verbs = "import inspect detect solve clean report normalize retarget plugins demo".split()
+    verbs = (
+        "import inspect detect solve clean report normalize retarget guides plugins demo".split()
+    )
     assert list(commands()) == [*verbs, "schema path", "schema env", "schema check"]
 
 
@@ -222,7 +224,7 @@ def test_without_matplotlib_a_report_is_refused_before_anything_is_done(
     said = run(verb, *words[verb])
     assert said.status == 2
     assert said.err == (
-        "usdmotion: a report is drawn with matplotlib, which is not installed; "
+        "usdmotion: pictures are drawn with matplotlib, which is not installed; "
         "pip install 'usdmotion[report]'\n"
     )
     assert [each.name for each in tmp_path.iterdir()] == ["arm.usda"]

@@ -13,6 +13,8 @@ from usdmotion.capture import Capture
 from usdmotion.errors import FileError, InputError
 from usdmotion.grounding import Asked as Ground
 from usdmotion.grounding import told_by
+from usdmotion.guiding import drawing, guides_beside, require_room
+from usdmotion.guiding import guides as guides
 from usdmotion.normalizing import normalize as normalize
 from usdmotion.options import configured
 from usdmotion.planting import Wish, plant
@@ -117,7 +119,7 @@ def detect(
     options: Mapping[str, object] | None = None,
     minimum: float | None = None,
     edit: str = "",
-    guides: bool = True,
+    guides: bool | Path = True,
     say: Say = lambda _: None,
 ) -> DetectionReport:
     """Look for contacts on a shot, and write a layer over it that has them.
@@ -136,13 +138,15 @@ def detect(
         options: Options of it, on top of those on the stage.
         minimum: Contacts that last for less are dropped [s].
         edit: Path of the MotionEdit whose skeleton is looked at.
-        guides: Draw the contacts too, for people to look at.
+        guides: Draw the contacts too, for people to look at; in a file of their own over the
+            layer, with everything else that there is to see, where one is named.
         say: Is told what is being done.
 
     Raises:
         InputError: The stage, or what is asked for, is at fault.
         PluginError: The detector does not keep its contract.
     """
+    require_room(guides, (output,), (shot,))
     asked = Asked(
         joints=tuple(joints),
         prims=tuple(prims),
@@ -152,9 +156,11 @@ def detect(
         options=dict(options or {}),
         minimum=minimum,
         edit=edit,
-        guides=guides,
+        guides=guides is True,
     )
-    return search(shot, output, asked, say=say)
+    found = search(shot, output, asked, say=say)
+    guides_beside(guides, output, say=say)
+    return found
 
 
 def solve(
@@ -170,6 +176,7 @@ def solve(
     compose: Path | None = None,
     mend_recruiting: bool = False,
     page: Path | None = None,
+    guides: bool | Path = False,
     say: Say = lambda _: None,
 ) -> Report:
     """Solve the edits of a stage and write the layer that puts the answer over it.
@@ -189,6 +196,8 @@ def solve(
         compose: Where to write a stage that shows the answer over the shot; None writes none.
         mend_recruiting: Let constraints recruit what the recruiting rule asks of them.
         page: Where to write the report of it, as `reporting.report` does; None writes none.
+        guides: Draw what there is to see too: in the layer itself, or in a file of their own over
+            it and the shot.
         say: Is told what is being done.
 
     Raises:
@@ -198,6 +207,7 @@ def solve(
     from usdmotion import usd
 
     usd.require_apart((output, compose), (page,))
+    require_room(guides, (output, compose), (shot,))
     if page is not None:
         require_matplotlib()
     session = Session.open(
@@ -212,9 +222,11 @@ def solve(
         say=say,
     )
     say(f"writing {output}")
-    session.write(output, compose=compose)
+    told = told_by(ground)
+    session.write(output, compose=compose, draw=drawing(guides, shot, ground=told, say=say))
+    guides_beside(guides, output, shot=shot, ground=told, say=say)
     if page is not None:
-        report(output, page, shot=shot, ground=told_by(ground), say=say)
+        report(output, page, shot=shot, ground=told, say=say)
     return session.report()
 
 
@@ -229,6 +241,7 @@ def clean(
     smoothing: float | None = None,
     frames: tuple[float, float] | None = None,
     page: Path | None = None,
+    guides: bool | Path = False,
     say: Say = lambda _: None,
 ) -> PlantingReport:
     """Find where feet stand, plant them there, and write one layer over the shot that has it all.
@@ -245,6 +258,8 @@ def clean(
             None takes what an edit says, or 4.
         frames: First and last time code to solve; None takes what each edit says.
         page: Where to write the report of it, as `reporting.report` does; None writes none.
+        guides: Draw what there is to see too: in the layer itself, or in a file of their own over
+            it and the shot.
         say: Is told what is being done.
 
     Raises:
@@ -254,6 +269,7 @@ def clean(
     from usdmotion import usd
 
     usd.require_apart((output,), (page,))
+    require_room(guides, (output,), (shot,))
     if page is not None:
         require_matplotlib()
     asked = Asked(
@@ -261,8 +277,9 @@ def clean(
         templates=tuple(templates),
         detector=detector,
         options=dict(options or {}),
+        guides=not isinstance(guides, Path),
     )
-    told = plant(shot, output, asked, Wish(smoothing, frames), say=say)
+    told = plant(shot, output, asked, Wish(smoothing, frames), guides=guides, say=say)
     if page is not None:
         report(output, page, say=say)
     return told

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from usdmotion.answering import Say, results_of, solved_scenes
 from usdmotion.asking import Asked
 from usdmotion.errors import SceneError
+from usdmotion.guiding import write_with_guides
 from usdmotion.kernels import forward
 from usdmotion.motion import WorldPose
 from usdmotion.plugins import host
@@ -35,7 +36,13 @@ class Wish:
 
 
 def plant(
-    shot: Path, output: Path, asked: Asked, wish: Wish, *, say: Say = lambda _: None
+    shot: Path,
+    output: Path,
+    asked: Asked,
+    wish: Wish,
+    *,
+    guides: bool | Path = False,
+    say: Say = lambda _: None,
 ) -> PlantingReport:
     """Find where feet stand, enforce it, and write one layer over the shot that has it all.
 
@@ -44,6 +51,8 @@ def plant(
         output: The layer to write; the shot is its sublayer.
         asked: The joints that stand, how to look for it, and examples.
         wish: How to enforce it.
+        guides: Draw what there is to see too: in the layer itself, or in a file of their own over
+            it and the shot. Contacts are drawn where `asked` says so.
         say: Is told what is being done.
 
     Raises:
@@ -73,8 +82,7 @@ def plant(
     results = [result for solved in scenes for result in results_of(solved)]
     layer = overlay.stage.GetRootLayer()
     overlay.remember(**usd.put(layer, read, results, output.parent, notes))
-    say(f"writing {output}")
-    overlay.write()
+    write_with_guides(overlay, guides, say=say)
     feet, kept = _became(read, scenes, detections)
     return PlantingReport(feet, kept, edits, looked.objects, notes)
 

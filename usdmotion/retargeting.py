@@ -13,6 +13,7 @@ from usdmotion.answering import Say, results_of, solved_scenes
 from usdmotion.arrays import Floats
 from usdmotion.cast import Cast
 from usdmotion.errors import SceneError
+from usdmotion.guiding import require_room, write_with_guides
 from usdmotion.motion import Motion, WorldPose
 from usdmotion.normalizing import Choice, take_off
 from usdmotion.plugins import host
@@ -67,6 +68,7 @@ def retarget(
     solver: str | None = None,
     options: Mapping[str, object] | None = None,
     ground: Sequence[str] | None = None,
+    guides: bool | Path = False,
     say: Say = lambda _: None,
 ) -> RetargetingReport:
     """Put a motion on another body, and write a layer over the stage of that body.
@@ -86,6 +88,8 @@ def retarget(
         options: Options of the solver, on top of those that travelled.
         ground: Paths of the prims of the target's stage that the motion is put on, none for no
             ground; None takes the ground that the edit had, where the target's stage has it too.
+        guides: Draw what there is to see too: in the layer itself, or in a file of their own over
+            it and the target.
         say: Is told what is being done.
 
     Raises:
@@ -94,6 +98,7 @@ def retarget(
     """
     from usdmotion import usd
 
+    require_room(guides, (output,), (source, target))
     choice = Choice(motion, tuple(edits), frames, contacts)
     put_on = None if ground is None else tuple(ground)
     placing = Placing(skeleton, enforce, put_on, solver, dict(options or {}))
@@ -108,13 +113,10 @@ def retarget(
         raise error if named else SceneError(f"{target}: {error}") from error
     notes = tuple(dict.fromkeys((*notes, *put.notes, *told)))
     results = [result for each in scenes for result in results_of(each)]
-    if read is not None:
-        layer = overlay.stage.GetRootLayer()
-        overlay.remember(**usd.put(layer, read, results, output.parent, notes))
-    else:
-        overlay.remember(notes=notes)
-    say(f"writing {output}")
-    overlay.write()
+    layer, folder = overlay.stage.GetRootLayer(), output.parent
+    made = usd.put(layer, read, results, folder, notes) if read else {"notes": notes}
+    overlay.remember(**made)
+    write_with_guides(overlay, guides, say=say)
     return _report(put, recorded, scenes, notes)
 
 

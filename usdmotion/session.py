@@ -19,7 +19,7 @@ from usdmotion.scene import Edit, Scene
 from usdmotion.solved import SolvedScene
 
 if TYPE_CHECKING:
-    from usdmotion.usd import Draft, Result, Shot
+    from usdmotion.usd import Draft, Draw, Result, Shot
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,7 +190,7 @@ class Session:
         told = (note for solved in self._scenes for note in solved.notes)
         return (*self._shot.warnings, *self._answers.notes, *told)
 
-    def write(self, output: Path, *, compose: Path | None = None) -> None:
+    def write(self, output: Path, *, compose: Path | None = None, draw: Draw | None = None) -> None:
         """Write the layer that puts the answer over the shot.
 
         It is the one that `pipeline.solve` writes of a stage on which the constraints are as they
@@ -199,6 +199,7 @@ class Session:
         Args:
             output: The layer to write.
             compose: Where to write a stage that shows the answer over the shot; None writes none.
+            draw: Draws what there is to see of it into the layer; None draws nothing.
 
         Raises:
             FileError: It cannot be written there, or is a layer that was read.
@@ -208,7 +209,7 @@ class Session:
         if compose is not None:
             usd.require_composable(self._shot, output, compose)  # before anything is written
         shot = self._asked
-        usd.write(shot, self._results, output, notes=self.notes)
+        usd.write(shot, self._results, output, notes=self.notes, draw=draw)
         if compose is not None:
             usd.compose(shot, output, compose)
 

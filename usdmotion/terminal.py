@@ -66,18 +66,18 @@ class Terminal:
         for each in shown:
             self.people.print(each)
 
-    def account(self, told: "Account", *written: str, json: str | None) -> None:
+    def account(self, told: "Account", *written: Path | str | None, json: str | None) -> None:
         """Tell what a verb has to tell: its notes, its JSON where that is asked for, its tables.
 
         Args:
             told: What became of it.
-            written: A line about each thing that was written.
+            written: What was written; None is nothing.
             json: Where the JSON goes, "-" for stdout; None is nowhere.
         """
         self.note(*told.notes)
         if json is not None:
             write_text(told.to_json(), json)
-        self.tell(*told.tables(), *written)
+        self.tell(*told.tables(), *(f"wrote {each}" for each in written if each is not None))
 
 
 def _console(*, stderr: bool, quiet: bool) -> Console:

@@ -5,7 +5,8 @@ from typing import Annotated
 import typer
 
 from usdmotion.arguments import beside, cutoff_of, frames_of, names_of, options_of, template_of
-from usdmotion.cli.application import app
+from usdmotion.cli.application import app, finish
+from usdmotion.cli.drawing import Drawing, Guides, file_of, guides_of
 from usdmotion.cli.flags import (
     DetectorName,
     Frames,
@@ -32,7 +33,9 @@ Smoothing = Annotated[
 ]
 
 
-@app.command(epilog="Example: usdmotion clean shot.usda -o shot.clean.usda --report shot.html")
+@app.command(
+    cls=Drawing, epilog="Example: usdmotion clean shot.usda -o shot.clean.usda --report shot.html"
+)
 def clean(
     shot: Source,
     output: Output = None,
@@ -43,6 +46,7 @@ def clean(
     smoothing: Smoothing = None,
     frames: Frames = None,
     report: Page = None,
+    guides: Guides = None,
     json: Json = None,
     strict: Strict = False,
     quiet: Quiet = False,
@@ -52,7 +56,7 @@ def clean(
 
     terminal = Terminal.open(quiet=quiet, json=json)
     output = output or beside(shot, "clean")
-    usd.require_apart((output,), (report, json))
+    usd.require_apart((output, file_of(guides)), (report, json))
     with terminal.busy() as say:
         told = pipeline.clean(
             shot,
@@ -64,8 +68,7 @@ def clean(
             smoothing=cutoff_of(smoothing, "--smoothing"),
             frames=frames_of(frames),
             page=report,
+            guides=guides_of(guides),
             say=say,
         )
-    terminal.account(told, *(f"wrote {path}" for path in (output, report) if path), json=json)
-    if strict and not told.met:
-        raise typer.Exit(3)
+    finish(terminal, told, output, file_of(guides), report, json=json, strict=strict)

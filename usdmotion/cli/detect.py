@@ -6,7 +6,9 @@ import typer
 
 from usdmotion.arguments import beside, duration_of, names_of, options_of, template_of
 from usdmotion.cli.application import app
+from usdmotion.cli.drawing import Drawing, Guides, file_of
 from usdmotion.cli.flags import DetectorName, Json, Options, Output, Quiet, Source, Templates
+from usdmotion.errors import OptionError
 from usdmotion.terminal import Terminal
 
 Joints = Annotated[
@@ -27,13 +29,12 @@ Minimum = Annotated[
     float | None, typer.Option(metavar="SECONDS", help="Drop contacts that last for less.")
 ]
 Edit = Annotated[str, typer.Option(metavar="PATH", help="Look at the skeleton of this edit only.")]
-Guides = Annotated[
-    bool, typer.Option("--guides/--no-guides", help="Draw the contacts too, to look at.")
-]
+NoGuides = Annotated[bool, typer.Option("--no-guides", help="Draw no contacts to look at.")]
 
 
 @app.command(
-    epilog="Example: usdmotion detect shot.usda -o shot.contacts.usda --joints wrist,elbow"
+    cls=Drawing,
+    epilog="Example: usdmotion detect shot.usda -o shot.contacts.usda --joints wrist,elbow",
 )
 def detect(
     shot: Source,
@@ -46,7 +47,8 @@ def detect(
     option: Options = None,
     minimum: Minimum = None,
     edit: Edit = "",
-    guides: Guides = True,
+    guides: Guides = None,
+    no_guides: NoGuides = False,
     json: Json = None,
     quiet: Quiet = False,
 ) -> None:
@@ -55,7 +57,9 @@ def detect(
 
     terminal = Terminal.open(quiet=quiet, json=json)
     output = output or beside(shot, "contacts")
-    usd.require_apart((output,), (json,))
+    if no_guides and guides is not None:
+        raise OptionError("--guides and --no-guides are both given; leave one out")
+    usd.require_apart((output, file_of(guides)), (json,))
     with terminal.busy() as say:
         found = pipeline.detect(
             shot,
@@ -68,7 +72,7 @@ def detect(
             options=options_of(option),
             minimum=duration_of(minimum, "--minimum"),
             edit=edit,
-            guides=guides,
+            guides=file_of(guides) or not no_guides,
             say=say,
         )
-    terminal.account(found, f"wrote {output}: {found.count} contacts", json=json)
+    terminal.account(found, f"{output}: {found.count} contacts", file_of(guides), json=json)

@@ -45,6 +45,13 @@ MendRecruiting = Annotated[
     bool,
     typer.Option("--mend-recruiting", help="Let constraints recruit what lower ranks move."),
 ]
+Shot = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE",
+        help="The shot under the layer; else the file beside it after which it is named.",
+    ),
+]
 Strict = Annotated[
     bool, typer.Option("--strict", help="End with status 3 where a constraint is not met.")
 ]

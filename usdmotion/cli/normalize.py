@@ -46,4 +46,4 @@ def normalize(
             contacts=contacts,
             say=say,
         )
-    terminal.account(told, f"wrote {output}", json=json)
+    terminal.account(told, output, json=json)

@@ -6,7 +6,7 @@ from typing import Annotated
 import typer
 
 from usdmotion.cli.application import app
-from usdmotion.cli.flags import Quiet
+from usdmotion.cli.flags import Quiet, Shot
 from usdmotion.terminal import Terminal
 
 
@@ -19,13 +19,7 @@ def report(
         Path | None,
         typer.Option("--output", "-o", help="The page to write.", show_default=False),
     ] = None,
-    shot: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            help="The shot under the layer; else the file beside it after which it is named.",
-        ),
-    ] = None,
+    shot: Shot = None,
     png: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Write the pictures as files too.")
     ] = None,

@@ -6,7 +6,8 @@ from typing import Annotated
 import typer
 
 from usdmotion.arguments import beside, frames_of, names_of, options_of
-from usdmotion.cli.application import app
+from usdmotion.cli.application import app, finish
+from usdmotion.cli.drawing import Drawing, Guides, file_of, guides_of
 from usdmotion.cli.flags import Contacts, Frames, Ground, Json, Options, Output, Quiet, Strict
 from usdmotion.terminal import Terminal
 
@@ -33,7 +34,9 @@ SolverName = Annotated[
 ]
 
 
-@app.command(epilog="Example: usdmotion retarget shot.usda body.usda -o body.shot.usda")
+@app.command(
+    cls=Drawing, epilog="Example: usdmotion retarget shot.usda body.usda -o body.shot.usda"
+)
 def retarget(
     source: Source,
     target: Target,
@@ -47,6 +50,7 @@ def retarget(
     solver: SolverName = None,
     option: Options = None,
     ground: Ground = None,
+    guides: Guides = None,
     json: Json = None,
     strict: Strict = False,
     quiet: Quiet = False,
@@ -55,7 +59,7 @@ def retarget(
     from usdmotion import pipeline, usd
 
     terminal = Terminal.open(quiet=quiet, json=json)
-    usd.require_apart((output := output or beside(target, "retargeted"),), (json,))
+    usd.require_apart((output := output or beside(target, "retargeted"), file_of(guides)), (json,))
     with terminal.busy() as say:
         told = pipeline.retarget(
             source,
@@ -70,8 +74,7 @@ def retarget(
             solver=solver,
             options=options_of(option),
             ground=names_of(ground) or None,
+            guides=guides_of(guides),
             say=say,
         )
-    terminal.account(told, f"wrote {output}", json=json)
-    if strict and not told.met:
-        raise typer.Exit(3)
+    finish(terminal, told, output, file_of(guides), json=json, strict=strict)

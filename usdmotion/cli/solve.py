@@ -5,7 +5,8 @@ from typing import Annotated
 import typer
 
 from usdmotion.arguments import cutoff_of, frames_of, names_of, options_of
-from usdmotion.cli.application import app
+from usdmotion.cli.application import app, finish
+from usdmotion.cli.drawing import Drawing, Guides, file_of, guides_of
 from usdmotion.cli.flags import (
     Clean,
     Composed,
@@ -25,7 +26,8 @@ from usdmotion.terminal import Terminal
 
 
 @app.command(
-    epilog="Example: usdmotion solve shot.usda -o shot.edit.usda --compose shot.solved.usda"
+    cls=Drawing,
+    epilog="Example: usdmotion solve shot.usda -o shot.edit.usda --compose shot.solved.usda",
 )
 def solve(
     shot: Source,
@@ -39,6 +41,7 @@ def solve(
     compose: Composed = None,
     mend_recruiting: MendRecruiting = False,
     report: Page = None,
+    guides: Guides = None,
     json: Json = None,
     strict: Strict = False,
     quiet: Quiet = False,
@@ -48,7 +51,7 @@ def solve(
 
     terminal = Terminal.open(quiet=quiet, json=json)
     output = output or shot.with_name(f"{shot.stem}.edit.usda")
-    usd.require_apart((output, compose), (report, json))
+    usd.require_apart((output, compose, file_of(guides)), (report, json))
     with terminal.busy() as say:
         told = pipeline.solve(
             shot,
@@ -62,9 +65,7 @@ def solve(
             compose=compose,
             mend_recruiting=mend_recruiting,
             page=report,
+            guides=guides_of(guides),
             say=say,
         )
-    wrote = (f"wrote {path}" for path in (output, compose, report) if path)
-    terminal.account(told, *wrote, json=json)
-    if strict and not told.met:
-        raise typer.Exit(3)
+    finish(terminal, told, output, compose, file_of(guides), report, json=json, strict=strict)

@@ -31,7 +31,7 @@ from usdmotion.usd.inspection import inspect, inspect_stage
 from usdmotion.usd.new_stages import new_stage
 from usdmotion.usd.normalized import author_normalized, read_normalized, write_normalized
 from usdmotion.usd.outcomes import outcomes_of, solved_edits
-from usdmotion.usd.outputs import require_apart
+from usdmotion.usd.outputs import require_apart, require_unread
 from usdmotion.usd.overlays import Overlay
 from usdmotion.usd.planting import author_keeping, author_passes, edits_of
 from usdmotion.usd.prop_authoring import author_mesh, author_prop
@@ -43,10 +43,11 @@ from usdmotion.usd.shot import Result, Shot
 from usdmotion.usd.shown_results import author_shown, is_shown
 from usdmotion.usd.stages import Stage, name_of
 from usdmotion.usd.variants import variant
-from usdmotion.usd.writing import compose, put, require_composable, write
+from usdmotion.usd.writing import Draw, compose, put, require_composable, write
 
 __all__ = [
     "Draft",
+    "Draw",
     "Found",
     "Inspection",
     "Overlay",
@@ -88,6 +89,7 @@ __all__ = [
     "read_stage",
     "require_apart",
     "require_composable",
+    "require_unread",
     "solved_edits",
     "unsolved_edits",
     "variant",

@@ -8,6 +8,8 @@ from pathlib import Path
 from pxr import Sdf
 
 from usdmotion.errors import FileError
+from usdmotion.usd.layers import require_writable
+from usdmotion.usd.stages import open_stage, used_files
 
 
 def require_apart(layers: Sequence[Path | None], documents: Sequence[str | Path | None]) -> None:
@@ -37,3 +39,16 @@ def require_apart(layers: Sequence[Path | None], documents: Sequence[str | Path 
     for each in outputs:
         if places[os.path.realpath(each)] > 1:
             raise FileError(f"{each}: two things are to be written there; name another for one")
+
+
+def require_unread(output: Path, shots: Sequence[Path]) -> None:
+    """Raise if a layer cannot be written to a place, or some stages are made of what is there.
+
+    Args:
+        output: Where a layer is to be written.
+        shots: The files of the stages.
+
+    Raises:
+        FileError: It cannot, they are, or one of them cannot be opened.
+    """
+    require_writable(output, frozenset().union(*(used_files(open_stage(each)) for each in shots)))

@@ -1,8 +1,9 @@
 """The writer: results become one layer to be put over the shot."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import TypeAlias
 
 from pxr import Sdf, Usd
 
@@ -24,9 +25,17 @@ from usdmotion.usd.shot import Facts, Result, Shot, Take
 from usdmotion.usd.shown_results import author_binding
 from usdmotion.usd.sources import SOURCE, extras_for
 
+Draw: TypeAlias = Callable[[Usd.Stage], object]
+"""Draws what there is to see of a stage, in its edit target."""
+
 
 def write(
-    shot: Shot, results: Sequence[Result], output: Path, *, notes: Sequence[str] = ()
+    shot: Shot,
+    results: Sequence[Result],
+    output: Path,
+    *,
+    notes: Sequence[str] = (),
+    draw: Draw | None = None,
 ) -> None:
     """Write the layer that puts results over the shot they were made from.
 
@@ -35,6 +44,7 @@ def write(
         results: One for each edit that was solved.
         output: The layer to write.
         notes: What whoever made them had to say; a report of the layer says it again.
+        draw: Draws what there is to see of it into the edit target of a stage; None draws nothing.
 
     Raises:
         FileError: It cannot be written there, or is a layer that was read.
@@ -43,6 +53,11 @@ def write(
     require_writable(output, shot.layers)
     layer = new_layer(shot.facts)
     layer.customLayerData = {KEY: put(layer, shot, results, output.parent, notes)}
+    if draw is not None:
+        root = composed(shot.facts, [layer.identifier, os.path.realpath(shot.path)])
+        stage = Usd.Stage.Open(root)
+        stage.SetEditTarget(layer)
+        draw(stage)
     save(layer, output)
 
 

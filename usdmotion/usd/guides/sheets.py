@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from pxr import Sdf, Usd
+from pxr import Pcp, Sdf, Usd
 
 from usdmotion.arrays import Floats
 from usdmotion.usd.drawn import GUIDES, is_home, is_home_spec
@@ -120,7 +120,8 @@ def _own_specs(prim: Usd.Prim) -> Iterator[Sdf.PrimSpec]:
         node = waiting.pop(0)
         specs = (layer.GetPrimAtPath(node.path) for layer in node.layerStack.layers)
         yield from (spec for spec in specs if spec)
-        waiting += [each for each in node.children if each.IsDueToAncestor()]
+        above = (each for each in node.children if each.IsDueToAncestor())
+        waiting += [each for each in above if each.arcType != Pcp.ArcTypeInherit]
 
 
 def _settle(layer: Sdf.Layer, path: Sdf.Path, seen: _Behind) -> bool:
