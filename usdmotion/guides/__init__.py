@@ -3,6 +3,8 @@
 from usdmotion.guides.axes import OCTAHEDRON_FACES, octahedron
 from usdmotion.guides.contacts import (
     ContactGuide,
+    ContactMark,
+    ContactObject,
     Held,
     apart,
     contact_guide,
@@ -21,6 +23,8 @@ __all__ = [
     "OCTAHEDRON_FACES",
     "Color",
     "ContactGuide",
+    "ContactMark",
+    "ContactObject",
     "Held",
     "SegmentGuide",
     "SupportGuide",

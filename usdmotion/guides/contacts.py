@@ -7,7 +7,9 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.guides.digits import strokes
+from usdmotion.guides.palette import Color
 from usdmotion.guides.polylines import simplified
+from usdmotion.guides.soles import sole
 from usdmotion.kernels import rotate
 
 _UNKNOWN_SIZE = 0.12
@@ -42,6 +44,10 @@ class Held:
     """How it is turned, xyzw, shape (frame_count, 4)."""
     way: Floats
     """Where it is from when the contact eases in until it has eased out [m], shape (count, 3)."""
+    is_foot: bool = False
+    """Whether it is the ankle or the ball of a foot."""
+    ground: float = float("nan")
+    """Height of the ground along the up axis [m]; not a number where nobody knows."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,6 +66,63 @@ class ContactGuide:
     """Where the object is in its contact [m], shape (3,)."""
     rotation: Floats
     """How it is turned there, xyzw, shape (4,)."""
+    sole: Floats
+    """Outline of what a foot leaves on the ground [m], shape (corner_count, 3), or no points."""
+
+
+@dataclass(frozen=True, eq=False)
+class ContactObject:
+    """What is held by contacts."""
+
+    path: str
+    """Path of the prim; of a joint, of its Skeleton."""
+    joint: str
+    """Token of the joint; "" of a prim."""
+    points: Floats
+    """Points that stand for its size, in its frame [m], shape (point_count, 3)."""
+    units: Floats
+    """Metres per unit along the axes of its frame, shape (3,)."""
+    start: float
+    """Time code of the first frame of its motion."""
+    course: Floats
+    """A polyline along where it goes in all of that [m], shape (point_count, 3)."""
+
+    @property
+    def name(self) -> str:
+        """What tells it from others."""
+        return f"{self.path}:{self.joint.rsplit('/', 1)[-1]}" if self.joint else self.path
+
+
+@dataclass(frozen=True, eq=False)
+class ContactMark:
+    """A contact on a stage, to be drawn anywhere."""
+
+    path: str
+    """Path of the MotionContactConstraint."""
+    held: ContactObject
+    """What it holds."""
+    color: Color
+    """That of its object."""
+    number: int
+    """By which it goes, of those of its object."""
+    kind: str
+    """space, line, point, plane or slide."""
+    guide: ContactGuide
+    first: float
+    """Time code at which it begins to ease in."""
+    start: float
+    """Time code from which on it is fully on."""
+    end: float
+    """Time code until which it is."""
+    last: float
+    """Time code at which it has eased out."""
+    always: bool
+    """Whether it says no times, so that it is on throughout."""
+
+    @property
+    def object(self) -> str:
+        """Name of what it holds: the path of a prim, or of a Skeleton and its joint."""
+        return self.held.name
 
 
 def size_of(points: Floats) -> float:
@@ -95,6 +158,7 @@ def contact_guide(
         ),
         translation=translation,
         rotation=rotation,
+        sole=_sole(held, there, size, up),
     )
 
 
@@ -134,7 +198,7 @@ def _pose(held: Held) -> tuple[Floats, Floats]:
 
 def _axis(held: Held, there: Floats, size: float) -> Floats:
     """Return what an object turns about, or where its held point slides."""
-    if held.kind not in ("line", "slide", "plane"):
+    if held.kind not in ("line", "slide", "plane") or not held.axis.any():
         return np.zeros((0, 3))
     axis = held.axis / np.linalg.norm(held.axis)
     places = rotate(held.rotations, held.point) + held.translations
@@ -144,6 +208,16 @@ def _axis(held: Held, there: Floats, size: float) -> Floats:
     along = reach @ axis
     ends = np.array((along.min() - _BEYOND * size, along.max() + _BEYOND * size))
     return np.asarray(held.location + ends[:, None] * axis)
+
+
+def _sole(held: Held, there: Floats, size: float, up: Floats) -> Floats:
+    """Return the outline of a foot that stands; no points of what is none."""
+    if held.kind != "space" or not held.is_foot:
+        return np.zeros((0, 3))
+    lowest = float((there @ up).min())
+    # On a step or a hill it is not the one ground of the stage that it stands on.
+    known = 0.0 <= lowest - held.ground <= size
+    return sole(there, up, held.ground if known else lowest)
 
 
 def _square(normal: Floats, location: Floats, places: Floats, size: float) -> Floats:

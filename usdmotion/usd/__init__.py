@@ -25,7 +25,12 @@ from usdmotion.usd.detections import (
 from usdmotion.usd.drafts import Draft
 from usdmotion.usd.edit_layers import files_of, read_outcomes
 from usdmotion.usd.edits import unsolved_edits
-from usdmotion.usd.guides import author_contact_guides, author_guides
+from usdmotion.usd.guides import (
+    author_contact_guides,
+    author_contact_marks,
+    author_guides,
+    read_contact_marks,
+)
 from usdmotion.usd.inspected import Inspection
 from usdmotion.usd.inspection import inspect, inspect_stage
 from usdmotion.usd.new_stages import new_stage
@@ -58,6 +63,7 @@ __all__ = [
     "author_body",
     "author_character",
     "author_contact_guides",
+    "author_contact_marks",
     "author_detections",
     "author_edit",
     "author_feet",
@@ -83,6 +89,7 @@ __all__ = [
     "outcomes_of",
     "put",
     "read",
+    "read_contact_marks",
     "read_normalized",
     "read_outcomes",
     "read_searches",

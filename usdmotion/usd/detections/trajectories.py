@@ -41,20 +41,25 @@ class Trajectory:
         return int(np.abs(self.time_codes - time_code).argmin())
 
 
-def read_trajectory(prim: Usd.Prim, facts: Facts) -> Trajectory:
+def read_trajectory(prim: Usd.Prim, facts: Facts, *, still: bool = False) -> Trajectory:
     """Return how a prim moves.
+
+    Args:
+        prim: The prim.
+        facts: Units and rates of the stage.
+        still: Whether it may be one that does not.
 
     Raises:
         SceneError: It does not move, or is sheared or mirrored.
     """
     name = f"<{prim.GetPath()}>"
     own = _own_times(prim, facts)
-    if len(own) < 2:
-        raise SceneError(f"{name} does not move; name a prim that is animated, or one below it")
-    codes = filled(own, facts)
+    codes = filled(own, facts) if len(own) > 1 else np.array([facts.start or 0.0])
     translations, rotations, scales = rigid(world_matrices(prim, codes), name)
-    if len(translations) < len(codes):
-        raise SceneError(f"{name} does not move; name a prim that is animated, or one below it")
+    if len(own) < 2 or len(translations) < len(codes):
+        if not still:
+            raise SceneError(f"{name} does not move; name a prim that is animated, or one below it")
+        codes = codes[:1]
     units = scales * facts.meters_per_unit
     return Trajectory(
         time_codes=codes,

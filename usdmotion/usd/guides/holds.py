@@ -8,7 +8,7 @@ from pxr import Usd
 from usdmotion.arrays import Floats
 from usdmotion.curves import plateau
 from usdmotion.errors import SceneError
-from usdmotion.guides import Held
+from usdmotion.guides import ContactMark, Held
 from usdmotion.kernels import multiply, rotate
 from usdmotion.usd.detections.contact_prims import says_where
 from usdmotion.usd.detections.entries import SAMPLE
@@ -21,15 +21,18 @@ PALE = 0.35
 """Opacity of a contact that is not on; all are seen at all times, as the moments of a motion."""
 
 
-def read_held(prim: Usd.Prim, trajectory: Trajectory, facts: Facts) -> Held:
+def read_held(
+    prim: Usd.Prim, trajectory: Trajectory, facts: Facts, *, is_foot: bool = False
+) -> Held:
     """Return a contact and how its object moves meanwhile.
 
     Args:
         prim: The contact.
         trajectory: How the object moves.
         facts: Units and rates of the stage.
+        is_foot: Whether the object is the ankle or the ball of a foot.
     """
-    first, start, end, last = _key_times(prim, trajectory)
+    first, start, end, last = key_times(prim, trajectory)
     middle = trajectory.frame(0.5 * (start + end))
     codes = trajectory.time_codes
     during = (codes >= start - SAMPLE) & (codes <= end + SAMPLE)
@@ -47,29 +50,27 @@ def read_held(prim: Usd.Prim, trajectory: Trajectory, facts: Facts) -> Held:
         translations=trajectory.translations[during],
         rotations=trajectory.rotations[during],
         way=trajectory.translations[eased],
+        is_foot=is_foot,
+        ground=trajectory.ground,
     )
 
 
-def opacity_of(
-    prim: Usd.Prim, trajectory: Trajectory, facts: Facts
-) -> Mapping[float, float] | float:
+def opacity_of(mark: ContactMark, facts: Facts) -> Mapping[float, float] | float:
     """Return how opaque a contact is: wholly while it is on, pale otherwise.
 
     Args:
-        prim: The contact.
-        trajectory: How the object moves.
-        facts: Units and rates of the stage.
+        mark: The contact.
+        facts: Rates of the stage.
     """
-    if not floats(value(prim, "usdmotion:times", ())):
+    if mark.always:
         return 1.0
-    first, start, end, last = _key_times(prim, trajectory)
     frame = facts.time_codes_per_second / facts.frames_per_second
-    before = first if first < start else start - frame
-    after = last if last > end else end + frame
-    return {before: PALE, start: 1.0, end: 1.0, after: PALE}
+    before = mark.first if mark.first < mark.start else mark.start - frame
+    after = mark.last if mark.last > mark.end else mark.end + frame
+    return {before: PALE, mark.start: 1.0, mark.end: 1.0, after: PALE}
 
 
-def _key_times(prim: Usd.Prim, trajectory: Trajectory) -> tuple[float, float, float, float]:
+def key_times(prim: Usd.Prim, trajectory: Trajectory) -> tuple[float, float, float, float]:
     """Return when a contact begins to ease in, is fully on, begins to ease out, and is off."""
     times = floats(value(prim, "usdmotion:times", ()))
     span = float(trajectory.time_codes[0]), float(trajectory.time_codes[-1])

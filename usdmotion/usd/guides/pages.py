@@ -8,7 +8,7 @@ from pxr import Sdf
 
 from usdmotion.arrays import Floats
 from usdmotion.guides import COLORS, Color, thinned
-from usdmotion.usd.guides.placements import Placement, author_placement, put_in_world
+from usdmotion.usd.guides.placements import Standing
 from usdmotion.usd.guides.sheets import Sheet, author_home
 from usdmotion.usd.layers import over
 
@@ -37,10 +37,8 @@ class Page:
     """Of the body, in those units."""
     up: Floats
     """Away from the ground, shape (3,)."""
-    world: Placement
-    """What undoes the transform of the edit."""
-    elsewhere: Mapping[str, Placement]
-    """The same for constraints that do not have the transform of their edit, by path."""
+    standings: Mapping[str, Standing]
+    """How what is below the edit, "", or a constraint comes to have the frame of the world."""
     homes: Mapping[str, str]
     """Path of the guides of each constraint, by its own."""
     colors: Mapping[str, Color]
@@ -69,15 +67,11 @@ class Page:
         layer = self.sheet.layer
         if not owner:
             spec = over(layer, f"{self.home}/{name}")
-            put_in_world(spec, self.home, self.world)
+            self.standings[""].author(self.sheet, spec)
             return spec
         home = self.homes[owner]
         if not layer.GetPrimAtPath(home):
-            above = author_home(self.sheet, home)
-            if owner in self.elsewhere:
-                author_placement(self.sheet, above, self.elsewhere[owner])
-            else:
-                put_in_world(above, self.home, self.world)
+            self.standings[owner].author(self.sheet, author_home(self.sheet, home))
         return over(layer, f"{home}/{name}")
 
     def over_time(

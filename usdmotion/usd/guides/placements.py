@@ -1,7 +1,7 @@
 """Where guides stand, so that places in the world can be written below prims that are moved."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from pxr import Gf, Sdf, Usd, UsdGeom, Vt
@@ -10,14 +10,17 @@ from usdmotion.arrays import Floats
 from usdmotion.guides import thinned
 from usdmotion.usd.clips import merged
 from usdmotion.usd.guides.prims import PLACED, WORLD, make, place
-from usdmotion.usd.guides.sheets import Sheet
+from usdmotion.usd.guides.sheets import Sheet, author_home
 from usdmotion.usd.layers import over, set_value, set_varying
+from usdmotion.usd.relations import edit_of
 from usdmotion.usd.stages import read_facts
 from usdmotion.usd.transforms import is_still, world_matrices
 
 _TYPES = Sdf.ValueTypeNames
-_NEAR = 2e-4
-"""How far a guide may be from its place below what moves, over the size of what is drawn."""
+_AROUND = 2.5
+"""How far from a prim that moves, at most, what is below it is drawn [m]."""
+_NEAR = 1e-3
+"""How far that may be from its place [m]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,27 +38,27 @@ class Placement:
         return len(self.matrices) == 1 and bool(np.allclose(self.matrices[0], np.eye(4)))
 
 
-def placement(
-    prim: Usd.Prim, codes: Floats, box: Floats, onto: Usd.Prim | None = None
-) -> Placement:
+def placement(prim: Usd.Prim, codes: Floats, onto: Usd.Prim | None = None) -> Placement:
     """Return what brings what is below a prim into another frame.
 
     Args:
         prim: The prim.
         codes: Time codes that matter, ascending.
-        box: Corners of what is drawn, in that frame, shape (corner_count, 3).
         onto: Whose frame; None is the world's.
     """
     times = _times((prim, onto), codes)
-    below = np.linalg.inv(world_matrices(prim, times))
+    places = world_matrices(prim, times)
     above = np.eye(4)[None] if onto is None else world_matrices(onto, times)
-    matrices = np.asarray(above @ below)
+    matrices = np.asarray(above @ np.linalg.inv(places))
     if len(matrices) == 1 or is_still(matrices):
         return Placement(matrices[:1], times[:1])
-    corners = np.concatenate([box, np.ones((len(box), 1))], axis=1) @ matrices
-    shown = corners[..., :3]
-    size = np.linalg.norm(np.ptp(shown, axis=1), axis=1).max()
-    kept = thinned(times, shown, _NEAR * size)
+    unit = UsdGeom.GetStageMetersPerUnit(prim.GetStage())
+    low, high = places[:, 3, :3].min(axis=0), places[:, 3, :3].max(axis=0)
+    box = np.where(list(np.ndindex(2, 2, 2)), high + _AROUND / unit, low - _AROUND / unit)
+    corners = np.concatenate([box, np.ones((8, 1))], axis=1) @ np.linalg.inv(above[0])
+    shown = (corners @ matrices)[..., :3]
+    scale = np.linalg.norm(places[0, 0, :3])
+    kept = thinned(times, shown, _NEAR / (unit * scale))
     return Placement(matrices[kept], times[kept])
 
 
@@ -74,19 +77,67 @@ def author_placement(sheet: Sheet, prim: Sdf.PrimSpec, placed: Placement) -> Non
     set_value(prim, "xformOpOrder", _TYPES.TokenArray, Vt.TokenArray([PLACED]))
 
 
-def author_world(sheet: Sheet, home: str, placed: Placement) -> None:
-    """Write the class whose frame is the world's, unless nothing needs it."""
-    if not placed.is_identity:
-        prim = over(sheet.layer, f"{home}/{WORLD}")
-        make(prim, "Xform")
-        prim.specifier = Sdf.SpecifierClass
-        author_placement(sheet, prim, placed)
+@dataclass(frozen=True, eq=False)
+class Standing:
+    """How what stands below a prim comes to have the frame of the world."""
+
+    placed: Placement
+    shared: str = ""
+    """The class that does it for all that is below an edit; "" where the prim is moved itself."""
+
+    def author(self, sheet: Sheet, prim: Sdf.PrimSpec) -> None:
+        """Give a spec below that prim the frame of the world."""
+        if self.placed.is_identity:
+            return
+        if self.shared:
+            prim.inheritPathList.Prepend(Sdf.Path(self.shared))
+        else:
+            author_placement(sheet, prim, self.placed)
 
 
-def put_in_world(prim: Sdf.PrimSpec, home: str, placed: Placement) -> None:
-    """Let a spec below an edit have the world's frame, by the class in the edit's guides."""
-    if not placed.is_identity:
-        prim.inheritPathList.Prepend(Sdf.Path(f"{home}/{WORLD}"))
+@dataclass(frozen=True, eq=False)
+class Worlds:
+    """Finds the way to the frame of the world from any prim, and writes it once for each edit."""
+
+    sheet: Sheet
+    _shared: dict[str, Placement] = field(default_factory=dict)
+    """What the classes are that were asked for, by the paths of the guides of the edits."""
+
+    def standing(self, owner: Usd.Prim, codes: Floats) -> Standing:
+        """Return how what stands below a prim comes to have the frame of the world.
+
+        Args:
+            owner: An edit, or a prim anywhere.
+            codes: Time codes that matter, ascending.
+        """
+        edit = edit_of(owner)
+        if edit is None or _is_moved(owner, edit):
+            return Standing(placement(owner, codes))
+        home = self.sheet.home(str(edit.GetPath()))
+        if home not in self._shared:
+            self._shared[home] = placement(edit, codes)
+        return Standing(self._shared[home], f"{home}/{WORLD}")
+
+    def author(self) -> None:
+        """Write the classes, before anything refers to them."""
+        for home, placed in self._shared.items():
+            if not placed.is_identity:
+                author_home(self.sheet, home)
+                prim = over(self.sheet.layer, f"{home}/{WORLD}")
+                for name in list(prim.attributes.keys()):
+                    del prim.attributes[name]
+                make(prim, "Xform")
+                prim.specifier = Sdf.SpecifierClass
+                author_placement(self.sheet, prim, placed)
+
+
+def _is_moved(prim: Usd.Prim, edit: Usd.Prim) -> bool:
+    """Tell whether a prim may be elsewhere than its edit."""
+    while prim and prim != edit:
+        if UsdGeom.Xformable(prim):
+            return True
+        prim = prim.GetParent()
+    return False
 
 
 def _times(prims: tuple[Usd.Prim | None, ...], codes: Floats) -> Floats:

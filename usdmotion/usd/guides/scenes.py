@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from pxr import Sdf, Usd, UsdGeom
+from pxr import Sdf, Usd
 
 from usdmotion.arrays import Floats
 from usdmotion.guides import COLORS
@@ -13,7 +13,8 @@ from usdmotion.usd.guides.balances import draw_balance
 from usdmotion.usd.guides.courses import draw_course, draw_miss
 from usdmotion.usd.guides.goals import draw_goals
 from usdmotion.usd.guides.pages import Page
-from usdmotion.usd.guides.placements import author_world, placement
+from usdmotion.usd.guides.placements import Worlds
+from usdmotion.usd.guides.shapes import is_shape
 from usdmotion.usd.guides.sheets import Sheet, author_home, redrawn
 from usdmotion.usd.guides.skeletons import Ghost, draw_ghost, read_ghost
 from usdmotion.usd.relations import is_a
@@ -50,10 +51,17 @@ def author_guides(stage: Usd.Stage, shown: Sequence[ShownScene]) -> tuple[str, .
         SceneError: The motion that an edit starts from cannot be read.
     """
     sheet, facts = Sheet(stage), read_facts(stage)
-    drawings = [_drawing(sheet, scene, edit, facts) for scene in shown for edit in scene.edits]
+    worlds = Worlds(sheet)
+    drawings = [_drawing(worlds, scene, edit, facts) for scene in shown for edit in scene.edits]
     paths = [drawing.shown.path for drawing in drawings]
-    homes = [path for path, owner in sheet.homes().items() if _is_drawn_anew(path, owner, paths)]
+    homes = [
+        place
+        for path, owner in sheet.homes().items()
+        if _is_drawn_anew(path, owner, paths)
+        for place in (_items(sheet, path) if is_a(owner, "UsdMotionEdit") else [path])
+    ]
     with redrawn(sheet, homes):
+        worlds.author()
         for drawing in drawings:
             _draw(drawing)
     return tuple(
@@ -61,17 +69,13 @@ def author_guides(stage: Usd.Stage, shown: Sequence[ShownScene]) -> tuple[str, .
     )
 
 
-def _drawing(sheet: Sheet, scene: ShownScene, edit: ShownEdit, facts: Facts) -> _Drawing:
+def _drawing(worlds: Worlds, scene: ShownScene, edit: ShownEdit, facts: Facts) -> _Drawing:
+    sheet = worlds.sheet
     stage, codes = sheet.stage, scene.scene.time_codes
     prim, skeleton = stage.GetPrimAtPath(edit.path), stage.GetPrimAtPath(edit.skeleton)
-    box = _box(scene, edit) / facts.meters_per_unit
-    world = placement(prim, codes, box)
     owners = _owners(edit)
-    elsewhere = {
-        owner: placement(stage.GetPrimAtPath(owner), codes, box)
-        for owner in owners
-        if _is_moved(stage.GetPrimAtPath(owner), prim)
-    }
+    standings = {"": worlds.standing(prim, codes)}
+    standings |= {each: worlds.standing(stage.GetPrimAtPath(each), codes) for each in owners}
     page = Page(
         sheet=sheet,
         home=sheet.home(edit.path),
@@ -79,8 +83,7 @@ def _drawing(sheet: Sheet, scene: ShownScene, edit: ShownEdit, facts: Facts) -> 
         unit=facts.meters_per_unit,
         size=_size(scene, edit) / facts.meters_per_unit,
         up=facts.up,
-        world=world,
-        elsewhere=elsewhere,
+        standings=standings,
         homes={owner: sheet.home(owner) for owner in owners},
         colors={owner: COLORS[index % len(COLORS)] for index, owner in enumerate(owners)},
     )
@@ -91,7 +94,6 @@ def _drawing(sheet: Sheet, scene: ShownScene, edit: ShownEdit, facts: Facts) -> 
 def _draw(drawing: _Drawing) -> None:
     page, edit = drawing.page, drawing.shown
     author_home(page.sheet, page.home)
-    author_world(page.sheet, page.home, page.world)
     if drawing.ghost is not None:
         draw_ghost(page, drawing.ghost)
     for course in edit.courses:
@@ -111,15 +113,6 @@ def _owners(edit: ShownEdit) -> list[str]:
     return list(dict.fromkeys([*others, *goals, *balance]))
 
 
-def _is_moved(prim: Usd.Prim, edit: Usd.Prim) -> bool:
-    """Tell whether a constraint may be elsewhere than its edit."""
-    while prim and prim != edit:
-        if UsdGeom.Xformable(prim):
-            return True
-        prim = prim.GetParent()
-    return False
-
-
 def _is_drawn_anew(home: str, owner: Usd.Prim, edits: Sequence[str]) -> bool:
     """Tell whether guides are of some edits, or of what is switched off or gone."""
     if is_a(owner, "UsdMotionDetection") or is_a(owner, "UsdMotionContactConstraint"):
@@ -130,16 +123,14 @@ def _is_drawn_anew(home: str, owner: Usd.Prim, edits: Sequence[str]) -> bool:
     )
 
 
+def _items(sheet: Sheet, home: str) -> list[str]:
+    """Return the paths of the guides of an edit, but for what contacts are drawn with."""
+    return [path for path in sheet.items(home) if not is_shape(path)]
+
+
 def _size(scene: ShownScene, edit: ShownEdit) -> float:
     """Return how large a body is: how far its joints are spread at most along an axis [m]."""
     return max(float(np.ptp(_actor(scene, edit), axis=1).max()), _SMALLEST)
-
-
-def _box(scene: ShownScene, edit: ShownEdit) -> Floats:
-    """Return the corners of a box around all that a body reaches [m], shape (8, 3)."""
-    places = _actor(scene, edit)
-    low, high = places.min(axis=(0, 1)), places.max(axis=(0, 1))
-    return np.asarray(np.where(list(np.ndindex(2, 2, 2)), high, low))
 
 
 def _actor(scene: ShownScene, edit: ShownEdit) -> Floats:

@@ -6,17 +6,15 @@ import numpy as np
 from pxr import Sdf, Tf, Usd, UsdGeom, UsdSkel, Vt
 
 from usdmotion.arrays import Floats
-from usdmotion.guides import Color
-from usdmotion.usd.detections.searches import Sought
-from usdmotion.usd.drawn import GUIDES
+from usdmotion.guides import Color, ContactObject
 from usdmotion.usd.guides.prims import author_color, guide, make, place
 from usdmotion.usd.guides.skins import Part, Skins
 from usdmotion.usd.layers import over, relate, set_value, set_varying
 from usdmotion.usd.transforms import world_matrices
 
-SHAPE = f"{GUIDES}/Shape"
-"""The class below a detection."""
 _TYPES = Sdf.ValueTypeNames
+SHAPE = "Shape"
+"""What the name begins with of a class below guides that ghosts of an object are copies of."""
 _MOST_PIECES = 32
 """Of a prop with more the box around it is shown."""
 _BOX = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
@@ -51,31 +49,36 @@ class Shape:
         return "Mesh" if self.part is not None else "Xform"
 
 
-def shape_of(sought: Sought, skins: Skins | None) -> Shape | None:
+def is_shape(path: str) -> bool:
+    """Tell whether a guide is a class that ghosts of an object are copies of."""
+    return path.rsplit("/", 1)[-1].startswith(SHAPE)
+
+
+def shape_of(held: ContactObject, prim: Usd.Prim, guide: str, skins: Skins) -> Shape | None:
     """Return what an object looks like, None where there is nothing to see.
 
     Args:
-        sought: The object.
-        skins: The meshes that move with its skeleton; None of a prop.
+        held: The object.
+        prim: The prim; of a joint, its Skeleton.
+        guide: Path of the guide that is to show it.
+        skins: The meshes that move with that Skeleton.
     """
-    unit = sought.facts.meters_per_unit
-    if skins is not None:
-        part = skins.part(sought.watched.joint)
+    unit = UsdGeom.GetStageMetersPerUnit(prim.GetStage())
+    if held.joint:
+        part = skins.part(held.joint)
         if part is None:
             return None
-        scale = sought.trajectory.units[0] / unit
-        return Shape(Part(part.points * scale, part.counts, part.corners))
-    prop = sought.watched.prim
-    found = _meshes(prop, sought.path)
+        return Shape(Part(part.points * (held.units / unit), part.counts, part.corners))
+    found = _meshes(prim, guide)
     if found is None or not found:
         return None
     if len(found) > _MOST_PIECES:
-        corners = sought.trajectory.points / unit
+        corners = held.points / unit
         ordered = corners[np.lexsort(corners.T[::-1])]
         return Shape(Part(ordered, np.full(6, 4), np.array(_BOX).ravel()))
-    code = sought.trajectory.time_codes[:1]
-    scale = np.diag([*(sought.trajectory.units[0] / unit), 1.0])
-    inverse = np.linalg.inv(world_matrices(prop, code)[0])
+    code = np.array([held.start])
+    scale = np.diag([*(held.units / unit), 1.0])
+    inverse = np.linalg.inv(world_matrices(prim, code)[0])
     return Shape(
         pieces=tuple(
             Piece(
@@ -127,7 +130,7 @@ def author_ghost(prim: Sdf.PrimSpec, path: str, kind: str, matrix: Floats) -> No
     place(prim, matrix)
 
 
-def _meshes(prop: Usd.Prim, detection: str) -> list[Usd.Prim] | None:
+def _meshes(prop: Usd.Prim, shown_at: str) -> list[Usd.Prim] | None:
     """Return the meshes of a prop that are seen; None where a reference to one would be a loop."""
     found = []
     everything = iter(Usd.PrimRange(prop, Usd.TraverseInstanceProxies()))
@@ -140,7 +143,7 @@ def _meshes(prop: Usd.Prim, detection: str) -> list[Usd.Prim] | None:
         seen = UsdGeom.Imageable(prim)
         guide = seen.ComputePurpose() == UsdGeom.Tokens.guide
         if not guide and seen.ComputeVisibility() != UsdGeom.Tokens.invisible:
-            if Sdf.Path(detection).HasPrefix(prim.GetPath()):
+            if Sdf.Path(shown_at).HasPrefix(prim.GetPath()):
                 return None
             found.append(prim)
     return found

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from pxr import Pcp, Sdf, Usd
+from pxr import Sdf, Usd
 
 from usdmotion.arrays import Floats
 from usdmotion.usd.drawn import GUIDES, is_home, is_home_spec
@@ -58,6 +58,13 @@ class Sheet:
         self.layer.Traverse(Sdf.Path.absoluteRootPath, look)
         return found
 
+    def items(self, home: str) -> list[str]:
+        """Return the paths of the guides that stand below a prim, in the layer or on the stage."""
+        prim, spec = self.stage.GetPrimAtPath(home), self.layer.GetPrimAtPath(home)
+        names = [child.GetName() for child in prim.GetAllChildren()] if prim else []
+        names += list(spec.nameChildren.keys()) if spec else []
+        return [f"{home}/{name}" for name in dict.fromkeys(names)]
+
 
 def author_home(sheet: Sheet, path: str) -> Sdf.PrimSpec:
     """Make the prim below which guides are drawn."""
@@ -102,7 +109,7 @@ def _behind(sheet: Sheet, home: str) -> Iterator[tuple[Sdf.Path, _Behind]]:
     """Yield what weaker layers say of what is drawn below a prim, from above down."""
     prim = sheet.stage.GetPrimAtPath(home)
     for each in Usd.PrimRange(prim, Usd.PrimAllPrimsPredicate) if prim else ():
-        specs = [spec for spec in _own_specs(each) if spec.layer != sheet.layer]
+        specs = [spec for spec in _own_specs(each, home) if spec.layer != sheet.layer]
         if specs:
             known = {
                 name: (attribute.typeName, attribute.variability)
@@ -113,15 +120,15 @@ def _behind(sheet: Sheet, home: str) -> Iterator[tuple[Sdf.Path, _Behind]]:
             yield each.GetPath(), _Behind(known, not said or bool(said[0]))
 
 
-def _own_specs(prim: Usd.Prim) -> Iterator[Sdf.PrimSpec]:
-    """Yield the specs of a prim that are not those of what it refers to, the strongest first."""
+def _own_specs(prim: Usd.Prim, home: str) -> Iterator[Sdf.PrimSpec]:
+    """Yield the specs of a guide that are not those of what guides refer to, strongest first."""
+    depth = Sdf.Path(home).pathElementCount
     waiting = [prim.GetPrimIndex().rootNode]
     while waiting:
         node = waiting.pop(0)
         specs = (layer.GetPrimAtPath(node.path) for layer in node.layerStack.layers)
         yield from (spec for spec in specs if spec)
-        above = (each for each in node.children if each.IsDueToAncestor())
-        waiting += [each for each in above if each.arcType != Pcp.ArcTypeInherit]
+        waiting += [each for each in node.children if each.namespaceDepth < depth]
 
 
 def _settle(layer: Sdf.Layer, path: Sdf.Path, seen: _Behind) -> bool:

@@ -85,7 +85,7 @@ def read_ghost(edit: Usd.Prim, skeleton: Usd.Prim, codes: Floats, facts: Facts) 
         bind=bind,
         segments=segments,
         box=box,
-        placed=placement(edit, codes, _corners(box), onto=skeleton),
+        placed=placement(edit, codes, onto=skeleton),
         in_root=bool(UsdSkel.Root.Find(edit)),
     )
 
@@ -142,11 +142,6 @@ def _places(sitting: Sitting) -> Floats:
     motion, parents = sitting.character.motion, sitting.joints.parents
     positions, _ = forward(parents, motion.translations, motion.rotations)
     return np.asarray(positions / np.reshape(sitting.scaling.of_space, (-1, 1, 1)))
-
-
-def _corners(box: Floats) -> Floats:
-    """Return the eight corners of a box, (2, 3) to (8, 3)."""
-    return np.asarray(np.where(list(np.ndindex(2, 2, 2)), box[1], box[0]))
 
 
 def _bind(skeleton: Usd.Prim, sitting: Sitting) -> Floats:

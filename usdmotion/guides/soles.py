@@ -1,0 +1,37 @@
+"""What a foot leaves on the ground: an outline of its sole."""
+
+import numpy as np
+from scipy.spatial import ConvexHull
+
+from usdmotion.arrays import Floats
+from usdmotion.guides.axes import sideways
+
+_UNKNOWN = 0.12
+"""Length of a foot of which one point is known [m]."""
+_HALF_WIDTH, _HEEL = 0.22, 0.25
+"""Half the width of a sole, and how far its heel is behind the ankle, over the way to the ball."""
+_CORNERS = 12
+"""Of the outline about each point."""
+
+
+def sole(points: Floats, up: Floats, height: float) -> Floats:
+    """Return the outline of a sole, seen from above, flat at a height.
+
+    Args:
+        points: The ankle or the ball of a foot, then where its segments end [m], (point_count, 3).
+        up: Away from the ground, shape (3,).
+        height: Of the ground along it [m].
+
+    Returns:
+        Counterclockwise seen from above [m], shape (corner_count, 3).
+    """
+    sides = np.stack(sideways(up))
+    flat = points @ sides.T
+    along = flat - flat[0]
+    length = float(np.linalg.norm(along, axis=1).max()) or _UNKNOWN
+    heel = flat[0] - _HEEL * along[1:].mean(axis=0) if len(flat) > 1 else flat[0]
+    angles = np.linspace(0.0, 2.0 * np.pi, _CORNERS, endpoint=False)
+    circle = _HALF_WIDTH * length * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    around = (np.concatenate([flat, heel[None]])[:, None] + circle).reshape(-1, 2)
+    outline = around[ConvexHull(around).vertices]
+    return np.asarray(outline @ sides + height * up)
