@@ -30,6 +30,15 @@ def is_home(prim: Usd.Prim) -> bool:
     return owned and purpose.HasAuthoredValue() and purpose.Get() == UsdGeom.Tokens.guide
 
 
+def is_drawn(prim: Usd.Prim) -> bool:
+    """Tell whether a prim is a guide, or stands below one."""
+    while prim and not prim.IsPseudoRoot():
+        if is_home(prim):
+            return True
+        prim = prim.GetParent()
+    return False
+
+
 def is_home_spec(spec: Sdf.PrimSpec | None) -> bool:
     """Tell whether a spec is that of a prim that guides were drawn below."""
     if spec is None or not _is_named(spec.name) or spec.typeName != "Xform":

@@ -11,7 +11,7 @@ from usdmotion.errors import FileError, SceneError
 from usdmotion.outcome import Outcome
 from usdmotion.usd.outcomes import has_edits, outcomes_of, recorded_edits
 from usdmotion.usd.provenance import recorded
-from usdmotion.usd.stages import composition_faults, open_stage, read_facts, refuse
+from usdmotion.usd.stages import open_stage, read_facts, require_composed
 from usdmotion.usd.writing import composed
 
 _SHOTS = (".usda", ".usd", ".usdc", ".usdz")
@@ -41,7 +41,7 @@ def read_outcomes(
         return outcomes_of(_stacked(files), files[-1], kinds, edits)
     stage = open_stage(path)
     try:
-        refuse(composition_faults(stage))
+        require_composed(stage)
     except SceneError as error:
         raise SceneError(f"{path}: {error}") from error
     return outcomes_of(stage, path, kinds)

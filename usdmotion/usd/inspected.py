@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 
-from usdmotion.usd.balance import Note
 from usdmotion.usd.faults import Fault
 
 
@@ -111,6 +110,16 @@ class ContactFacts:
     """The joint, or the path of the prim, that is held."""
     times: tuple[float, ...]
     template: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """Something that is as it may be, and that one should know."""
+
+    path: str
+    """Path of the prim."""
+    sentence: str
+    """What it leads to, and what would do."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,6 @@ from pxr import Usd, UsdSkel
 
 from usdmotion.constraints import Constraint
 from usdmotion.errors import SceneError
-from usdmotion.usd.balance import falls
 from usdmotion.usd.clips import own_times
 from usdmotion.usd.constraints import constraint_prims, goal_prims
 from usdmotion.usd.detections.contact_prims import contact_prims
@@ -25,6 +24,7 @@ from usdmotion.usd.inspected import (
     DetectionFacts,
     EditFacts,
     Inspection,
+    Note,
     SkeletonFacts,
 )
 from usdmotion.usd.origins import source_of
@@ -38,7 +38,7 @@ from usdmotion.usd.relations import (
     value,
 )
 from usdmotion.usd.roots import root_of
-from usdmotion.usd.stages import composition_faults, open_stage, read_facts
+from usdmotion.usd.stages import open_stage, read_facts
 
 
 def inspect(path: Path, kinds: Sequence[type[Constraint]]) -> Inspection:
@@ -62,6 +62,7 @@ def inspect_stage(stage: Usd.Stage, path: Path, kinds: Sequence[type[Constraint]
     edits = [prim for prim in prims if is_a(prim, "UsdMotionEdit")]
     constraints = [prim for edit in edits for prim in constraint_prims(edit)]
     known = {kind.schema for kind in kinds}
+    found = find(stage)
     return Inspection(
         file=str(path),
         meters_per_unit=facts.meters_per_unit,
@@ -83,8 +84,8 @@ def inspect_stage(stage: Usd.Stage, path: Path, kinds: Sequence[type[Constraint]
         contacts=tuple(
             _contact(prim) for prim in prims if is_a(prim, "UsdMotionContactConstraint")
         ),
-        faults=(*composition_faults(stage), *find(stage)),
-        notes=tuple(note for edit in edits for note in falls(edit)),
+        faults=tuple(each for each in found if each.severity != "note"),
+        notes=tuple(Note(each.path, each.sentence) for each in found if each.severity == "note"),
     )
 
 

@@ -11,7 +11,7 @@ from pxr import Sdf, Usd, Vt
 from usdmotion.errors import SceneError
 from usdmotion.usd.layers import relative, require_writable, save
 from usdmotion.usd.provenance import KEY, own_version, recorded
-from usdmotion.usd.stages import composition_faults, open_stage, read_facts, refuse, used_files
+from usdmotion.usd.stages import open_stage, read_facts, require_composed, used_files
 from usdmotion.usd.writing import composed, name_fallbacks
 
 
@@ -49,7 +49,7 @@ class Overlay:
         name_fallbacks(layer)
         stage = Usd.Stage.Open(layer)
         try:
-            refuse(composition_faults(stage))
+            require_composed(stage)
         except SceneError as error:
             raise SceneError(f"{shot}: {error}") from error
         inputs = used_files(stage)

@@ -28,7 +28,7 @@ from usdmotion.usd.grounds import read_ground
 from usdmotion.usd.relations import bound_animation, value
 from usdmotion.usd.shot import Facts, Shot, Take
 from usdmotion.usd.sources import folder_of, read_extras
-from usdmotion.usd.stages import composition_faults, open_stage, read_facts, refuse, used_files
+from usdmotion.usd.stages import open_stage, read_facts, require_composed, used_files
 
 
 def read(
@@ -72,7 +72,7 @@ def read_stage(
 ) -> Shot:
     """Return the scenes of a stage that is open, as `read` does; errors name the path."""
     try:
-        refuse(composition_faults(stage))
+        require_composed(stage)
         facts = read_facts(stage)
         requests = [
             request(edit, frames, facts, cleaning=cleaning, ground=ground)

@@ -1,5 +1,6 @@
 """What belongs to what on a stage: a constraint to its edit, an edit to its skeleton."""
 
+from collections.abc import Iterator
 from difflib import get_close_matches
 from typing import Any
 
@@ -61,6 +62,13 @@ def names_target(prim: Usd.Prim, name: str) -> bool:
 def edit_of(prim: Usd.Prim) -> Usd.Prim | None:
     """Return the edit that a prim is a part of: the nearest above it, or itself."""
     return nearest(prim, "UsdMotionEdit")
+
+
+def constraints_of(edit: Usd.Prim) -> Iterator[Usd.Prim]:
+    """Yield the constraints of an edit, at any depth, of the kinds that USD knows."""
+    for prim in Usd.PrimRange(edit):
+        if is_a(prim, "UsdMotionConstraint") and edit_of(prim) == edit:
+            yield prim
 
 
 def travels(prim: Usd.Prim) -> bool:

@@ -8,6 +8,7 @@ from pxr import Sdf, Tf, Usd, UsdGeom
 
 from usdmotion.errors import FileError, SceneError
 from usdmotion.usd.faults import Fault
+from usdmotion.usd.faults.composition import find_composition_errors
 from usdmotion.usd.shot import Facts
 
 Stage: TypeAlias = Usd.Stage
@@ -62,16 +63,13 @@ def used_files(stage: Usd.Stage) -> frozenset[str]:
     )
 
 
-def composition_faults(stage: Usd.Stage) -> list[Fault]:
-    """List what could not be composed: files that are not there, arcs that lead nowhere."""
-    return [
-        Fault(
-            str(error.rootSite.path),
-            "Composition",
-            f"<{error.rootSite.path}> does not compose: {' '.join(str(error).split())}",
-        )
-        for error in stage.GetCompositionErrors()
-    ]
+def require_composed(stage: Usd.Stage) -> None:
+    """Raise if something of a stage could not be composed.
+
+    Raises:
+        SceneError: The first of what could not be.
+    """
+    refuse(list(find_composition_errors(stage)))
 
 
 def refuse(faults: list[Fault]) -> None:

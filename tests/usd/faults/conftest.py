@@ -172,6 +172,7 @@ CASES = [
     ("OutOfLimits", put(f"{EDIT}/Detection", "usdmotion:minimum", -1.0)),
     ("OutOfLimits", animate(f"{EDIT}/Detection", "usdmotion:sigmaMax", 0.1, -0.1)),
     ("RecruitingRule", put(f"{EDIT}/Foot", "usdmotion:recruits", ["hips/leg"])),
+    ("RanksAboveBalance", put(f"{EDIT}/Balance", "usdmotion:priority", 9)),
     ("NoJoints", put(SKELETON, "joints", [])),
     ("NoJoints", put("/Body/Walk", "joints", [])),
     ("DuplicateJoint", put(SKELETON, "joints", [*JOINTS[:4], "hips"])),

@@ -33,6 +33,7 @@ def test_every_fault_that_can_be_found_has_a_case(named):
     folder = Path(usdmotion.usd.faults.__file__).parent
     source = "".join(path.read_text() for path in sorted(folder.glob("*.py")))
     calls = source.split("yield error(")[1:] + source.split("yield warning(")[1:]
+    calls += source.split("yield note(")[1:]
     assert {call.split('"')[1] for call in calls} == named
 
 

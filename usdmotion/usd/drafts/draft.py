@@ -16,7 +16,7 @@ from usdmotion.usd.drafts.retiming import retime
 from usdmotion.usd.drafts.targets import offset_of, target_of
 from usdmotion.usd.layers import new_layer
 from usdmotion.usd.provenance import KEY, joined, recorded
-from usdmotion.usd.stages import Stage, composition_faults, name_of, read_facts, refuse
+from usdmotion.usd.stages import Stage, name_of, read_facts, require_composed
 
 _VARIABLES = "expressionVariables"
 """What is read of the strongest layer alone."""
@@ -39,7 +39,7 @@ class Draft:
         """
         self._stage = stage
         with _named(stage):
-            refuse(composition_faults(stage))
+            require_composed(stage)
             self._target = target_of(stage)
         self.layer = new_layer(read_facts(stage))
         """What is made, in time codes of the stage."""

@@ -1,4 +1,4 @@
-"""What cannot be right on a stage, found prim by prim without solving anything.
+"""What cannot be right on a stage, or should be known of it, found without solving anything.
 
 One list of plain functions, used by `usdmotion inspect` on every USD and offered to USD's own
 validation where that takes validators in Python.
@@ -8,8 +8,10 @@ from pxr import Usd
 
 from usdmotion.usd.drawn import without_guides
 from usdmotion.usd.faults.arrays import find_wrong_arrays, find_wrong_body_arrays
+from usdmotion.usd.faults.balance import find_falls
+from usdmotion.usd.faults.composition import find_composition_errors
 from usdmotion.usd.faults.detections import find_idle_detections
-from usdmotion.usd.faults.fault import Check, Fault, Severity
+from usdmotion.usd.faults.fault import Check, Fault, Severity, StageCheck
 from usdmotion.usd.faults.grounds import find_wrong_grounds
 from usdmotion.usd.faults.joints import (
     find_missing_effectors,
@@ -43,7 +45,7 @@ from usdmotion.usd.faults.values import (
     find_wrong_values,
 )
 
-__all__ = ["CHECKS", "Check", "Fault", "Severity", "find"]
+__all__ = ["CHECKS", "STAGE_CHECKS", "Check", "Fault", "Severity", "StageCheck", "find"]
 
 EDIT = ("UsdMotionEdit",)
 CONSTRAINT = ("UsdMotionConstraint",)
@@ -82,14 +84,17 @@ CHECKS = (
     Check("Goal", GOAL, find_lost_goals),
     Check("Detection", DETECTION, find_idle_detections),
     Check("Recruiting", EDIT, find_broken_recruiting),
+    Check("Balance", EDIT, find_falls),
 )
-"""Every check, in the order in which a reader of the list would mend things."""
+"""Every check of a prim, in the order in which a reader of the list would mend things."""
+STAGE_CHECKS = (StageCheck("Composition", find_composition_errors),)
+"""Every check of a whole stage; what they find is to be mended first."""
 
 
 def find(stage: Usd.Stage) -> list[Fault]:
-    """List the faults of a stage, prim by prim in the order of the stage."""
+    """List the faults of a stage: of the whole, then prim by prim in the order of the stage."""
     checks: dict[tuple[str, ...], list[Check]] = {}
-    faults: list[Fault] = []
+    faults = [fault for check in STAGE_CHECKS for fault in check.find(stage)]
     for prim in without_guides(Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies())):
         # Prims of a kind have the same checks, and a shot has many prims of few kinds.
         kind = (str(prim.GetTypeName()), *prim.GetAppliedSchemas())

@@ -9,7 +9,7 @@ from usdmotion.recruiting import Claim, Parents, chain, violations
 from usdmotion.usd.faults.fault import Fault, warning
 from usdmotion.usd.origins import source_of
 from usdmotion.usd.relations import (
-    edit_of,
+    constraints_of,
     is_a,
     joints_of,
     skeleton_of,
@@ -44,9 +44,7 @@ def claims_of(edit: Usd.Prim) -> tuple[Parents, list[Claim]]:
     parents = _parents(joints_of(skeleton))
     root = _root(edit, skeleton)
     return parents, [
-        _claim(constraint, skeleton, parents, root)
-        for constraint in Usd.PrimRange(edit)
-        if is_a(constraint, "UsdMotionConstraint") and edit_of(constraint) == edit
+        _claim(constraint, skeleton, parents, root) for constraint in constraints_of(edit)
     ]
 
 

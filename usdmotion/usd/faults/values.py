@@ -34,13 +34,17 @@ def find_wrong_values(prim: Usd.Prim) -> Iterator[Fault]:
 
 def find_missing_apis(prim: Usd.Prim) -> Iterator[Fault]:
     """Find properties of an API schema that was not applied."""
+    for owner, name in missing_apis(prim).items():
+        yield warning(
+            prim, "MissingAPI", f"has {name} without the API it is of; apply {owner} to it"
+        )
+
+
+def missing_apis(prim: Usd.Prim) -> dict[str, str]:
+    """Return the API schemas of which a prim has a property, with that, and that it lacks."""
     known = set(prim.GetPrimDefinition().GetPropertyNames())
     owners = {_owner(name): name for name in prim.GetAuthoredPropertyNames() if name not in known}
-    for owner, name in owners.items():
-        if owner:
-            yield warning(
-                prim, "MissingAPI", f"has {name} without the API it is of; apply {owner} to it"
-            )
+    return {owner: name for owner, name in owners.items() if owner}
 
 
 def find_misapplied_apis(prim: Usd.Prim) -> Iterator[Fault]:

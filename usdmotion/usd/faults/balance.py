@@ -1,15 +1,14 @@
 """Effectors that rank above the balance: who reaches so gets what he asked for, and falls over."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from pxr import Usd, UsdSkel
 
 from usdmotion.humanoid import PartMap, recognize
 from usdmotion.humanoid.parts import LEG
-from usdmotion.usd.constraints import constraint_prims
-from usdmotion.usd.relations import is_a, joints_of, skeleton_of, value
+from usdmotion.usd.faults.fault import Fault, note
+from usdmotion.usd.relations import constraints_of, is_a, joints_of, skeleton_of, value
 from usdmotion.usd.roots import in_rest, parts_of
 
 _BALANCE = "UsdMotionCenterOfMassConstraint"
@@ -17,39 +16,28 @@ _TURNS = ("UsdMotionOrientationConstraint", "UsdMotionAimConstraint")
 """Kinds that ask for no place."""
 
 
-@dataclass(frozen=True, slots=True)
-class Note:
-    """Something that is as it may be, and that one should know."""
-
-    path: str
-    """Path of the prim."""
-    sentence: str
-    """What it leads to, and what would do."""
-
-
-def falls(edit: Usd.Prim) -> Iterator[Note]:
-    """Yield a note on each constraint of an edit that pulls the body out of its balance.
-
-    It holds a point of a joint that carries no weight and ranks above a centre of mass. What
-    carries weight are legs and pelvis where it is known which joints these are; else what the
-    centre of mass has as supports, with what is above and below those.
-    """
-    constraints = list(constraint_prims(edit))
-    balances = [prim for prim in constraints if is_a(prim, _BALANCE)]
-    skeleton = skeleton_of(edit)
+def find_falls(prim: Usd.Prim) -> Iterator[Fault]:
+    """Find constraints of an edit that rank above its balance, and pull the body out of it."""
+    # They hold a point of a joint that carries no weight. What carries weight are legs and pelvis
+    # where it is known which joints these are; else what the centre of mass has as supports, with
+    # what is above and below those.
+    constraints = list(constraints_of(prim))
+    balances = [each for each in constraints if is_a(each, _BALANCE)]
+    skeleton = skeleton_of(prim)
     if not balances or skeleton is None:
         return
     lowest = max(balances, key=_priority)
     carries = _carrying(skeleton, balances)
-    for prim in constraints:
-        joint = str(value(prim, "usdmotion:joint", ""))
-        reaches = not is_a(prim, _BALANCE) and not any(is_a(prim, kind) for kind in _TURNS)
-        if reaches and joint and joint not in carries and _priority(prim) < _priority(lowest):
-            yield Note(
-                str(prim.GetPath()),
-                f"<{prim.GetPath()}> ranks above <{lowest.GetPath()}>: the body reaches as far as "
-                "it is asked to and falls over; give the centre of mass the smaller "
-                "usdmotion:priority if it is to stay in balance",
+    for each in constraints:
+        joint = str(value(each, "usdmotion:joint", ""))
+        reaches = not any(is_a(each, kind) for kind in (_BALANCE, *_TURNS))
+        if reaches and joint and joint not in carries and _priority(each) < _priority(lowest):
+            yield note(
+                each,
+                "RanksAboveBalance",
+                f"ranks above <{lowest.GetPath()}>: the body reaches as far as it is asked to and "
+                "falls over; give the centre of mass the smaller usdmotion:priority if it is to "
+                "stay in balance",
             )
 
 
