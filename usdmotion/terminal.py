@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from io import StringIO
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -17,6 +18,8 @@ from usdmotion.errors import FileError
 
 _LISTED = 4
 """How much of a long list a table shows; JSON has all of it."""
+_WIDE = 200
+"""Columns of what has no width of its own, such as a log: a table that is cut tells nothing."""
 
 
 class Account(Protocol):
@@ -82,11 +85,18 @@ class Terminal:
 
 def _console(*, stderr: bool, quiet: bool) -> Console:
     stream = sys.stderr if stderr else sys.stdout
-    # A log has no width of its own, and a table that is cut tells nothing.
-    width = None if stream.isatty() else 200
+    width = None if stream.isatty() else _WIDE
     return Console(
         stderr=stderr, quiet=quiet, width=width, soft_wrap=True, highlight=False, markup=False
     )
+
+
+def rendered(*shown: object) -> str:
+    """Return text and tables as they look where letters are equally wide and lines may be long."""
+    page = Console(file=StringIO(), width=2 * _WIDE, highlight=False, markup=False, soft_wrap=True)
+    for each in shown:
+        page.print(each)
+    return str(page.file.getvalue())  # type: ignore[attr-defined]
 
 
 def tables(value: Any) -> list[Table | str]:

@@ -21,23 +21,35 @@ def plugin_path() -> Path:
 
 def validation_path() -> Path | None:
     """Return the folder of the validators, which come with usdmotion; None without it."""
-    usdmotion = find_spec("usdmotion")  # a top package is found without being imported
-    if usdmotion is None or usdmotion.origin is None:
-        return None
-    folder = Path(usdmotion.origin).resolve().parent / "usd" / "validation"
-    return folder if (folder / "plugInfo.json").is_file() else None
+    return _in_usdmotion("usd", "validation")
+
+
+def usdview_path() -> Path | None:
+    """Return the folder of the plugin of usdview, which comes with usdmotion; None without it."""
+    return _in_usdmotion("usdview")
 
 
 def environment(extra: Iterable[Path] = ()) -> list[str]:
     """Return the lines NAME=VALUE of an environment in which any USD process knows the schema.
 
-    What the variable holds already comes after ours, so that it stays in force.
+    Where usdmotion is there, its validators and its plugin of usdview are among them. What the
+    variable holds already comes after ours, so that it stays in force.
 
     Args:
         extra: Folders of third-party plugins that are to be known as well.
     """
-    folders = [plugin_path(), validation_path(), *(Path(folder).resolve() for folder in extra)]
-    values = [str(folder) for folder in folders if folder is not None]
+    own = (plugin_path(), validation_path(), usdview_path())
+    values = [str(folder) for folder in own if folder is not None]
+    values += [str(Path(folder).resolve()) for folder in extra]
     known = os.environ.get(PLUGIN_PATH_VARIABLE, "").split(os.pathsep)
     values += [value for value in known if value and value not in values]
     return [f"{PLUGIN_PATH_VARIABLE}={os.pathsep.join(values)}"]
+
+
+def _in_usdmotion(*names: str) -> Path | None:
+    """Return a folder of usdmotion that holds a plugInfo.json."""
+    usdmotion = find_spec("usdmotion")  # a top package is found without being imported
+    if usdmotion is None or usdmotion.origin is None:
+        return None
+    folder = Path(usdmotion.origin).resolve().parent.joinpath(*names)
+    return folder if (folder / "plugInfo.json").is_file() else None

@@ -63,7 +63,7 @@ def importable():
     return {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
 
 
-def test_the_environment_names_both_folders_and_keeps_what_was_there(monkeypatch, tmp_path):
+def test_the_environment_names_our_folders_and_keeps_what_was_there(monkeypatch, tmp_path):
     monkeypatch.setenv("PXR_PLUGINPATH_NAME", "/studio/usd")
     (line,) = usdmotion_schemas.environment([tmp_path])
     name, _, value = line.partition("=")
@@ -71,7 +71,8 @@ def test_the_environment_names_both_folders_and_keeps_what_was_there(monkeypatch
     folders = value.split(os.pathsep)
     assert folders[0] == str(usdmotion_schemas.plugin_path())
     assert folders[1] == str(usdmotion_schemas.validation_path())
-    assert folders[2:] == [str(tmp_path), "/studio/usd"]
+    assert folders[2] == str(usdmotion_schemas.usdview_path())
+    assert folders[3:] == [str(tmp_path), "/studio/usd"]
 
 
 def test_the_environment_is_enough_for_a_process_that_never_imports_usdmotion():

@@ -126,7 +126,7 @@ def test_what_registration_raises_is_the_inputs_fault():
 
 def test_the_check_finds_everything_in_order():
     findings = check()
-    assert [finding.ok for finding in findings] == [True, True, True]
+    assert [finding.ok for finding in findings] == [True, True, True, True]
     assert findings[0].what == str(usdmotion_schemas.plugin_path())
 
 
@@ -137,9 +137,28 @@ def test_the_check_reports_a_broken_folder_and_does_not_raise(tmp_path):
 
 def test_the_check_says_that_an_older_usd_has_no_validators_in_python(monkeypatch):
     monkeypatch.setattr(registration, "has_python_validators", lambda: False)
-    validators = check()[-1]
+    (validators,) = (finding for finding in check() if finding.what == "validators")
     assert validators.ok and validators.sentence.startswith("absent")
     assert "26.5" in validators.sentence
+
+
+@pytest.mark.parametrize("elsewhere", [False, True])
+def test_the_check_says_whether_usdview_would_find_its_menu(tmp_path, elsewhere):
+    ours = folder = usdmotion_schemas.usdview_path()
+    if elsewhere:
+        folder = tmp_path / "usdview"
+        shutil.copytree(ours, folder)
+    code = (
+        "import sys; from pxr import Plug; from usdmotion.usd import registration\n"
+        "def tell(): print(*(registration.check()[-1].ok, registration.check()[-1].sentence))\n"
+        "tell(); Plug.Registry().RegisterPlugins(sys.argv[1]); tell()"
+    )
+    before, after = run(code, folder).stdout.splitlines()
+    assert before.startswith(f"True the menu is in {ours}, which PXR_PLUGINPATH_NAME does not")
+    if elsewhere:
+        assert after == f"False it finds the menu of another usdmotion in {folder}, not of {ours}"
+    else:
+        assert after == f"True it finds the menu in {ours}"
 
 
 def test_the_plugin_works_wherever_it_lies(tmp_path):

@@ -56,7 +56,7 @@ def save(layer: Sdf.Layer, output: Path) -> None:
     """
     beside = output.with_name(f".{output.stem}.{uuid.uuid4().hex}{output.suffix}")
     try:
-        with _without_false_alarms():
+        with without_false_alarms():
             exported = layer.Export(str(beside))
         if not exported:
             raise FileError(f"{output}: USD cannot write it")
@@ -70,7 +70,7 @@ def save(layer: Sdf.Layer, output: Path) -> None:
 
 
 @contextmanager
-def _without_false_alarms() -> Iterator[None]:
+def without_false_alarms() -> Iterator[None]:
     """Keep from people what USD warns of whenever it writes a spline, whatever is in it."""
     delegate = UsdUtils.CoalescingDiagnosticDelegate()
     try:

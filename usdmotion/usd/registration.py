@@ -16,6 +16,9 @@ from usdmotion_schemas import PLUGIN_PATH_VARIABLE
 
 from usdmotion.errors import InputError
 
+_USDVIEW = "usdmotion.usdview.container"
+"""Name of the plugin of usdview."""
+
 
 class RegistrationError(InputError):
     """USD does not know a schema, and cannot learn it any more."""
@@ -72,7 +75,7 @@ def check(extra: Iterable[Path] = ()) -> list[Finding]:
     findings = [_try(ours, ())]
     findings += [_try(folder, (folder,)) for folder in folders]
     findings.append(_fallbacks())
-    findings.append(_validators())
+    findings += [_validators(), _usdview()]
     return findings
 
 
@@ -153,3 +156,23 @@ def _validators() -> Finding:
     if names:
         return Finding("validators", True, f"USD knows {len(names)}, by the keyword UsdMotion")
     return Finding("validators", False, "USD knows none of ours; install usdmotion again")
+
+
+def _usdview() -> Finding:
+    folder = usdmotion_schemas.usdview_path()
+    if folder is None:
+        return Finding("usdview", False, "its plugin is not there; install usdmotion again")
+    plugin = Plug.Registry().GetPluginWithName(_USDVIEW)
+    if plugin is None:
+        return Finding(
+            "usdview",
+            True,
+            f"the menu is in {folder}, which {PLUGIN_PATH_VARIABLE} does not hold here; set what "
+            "`usdmotion schema env` prints for it to be found",
+        )
+    found = Path(plugin.resourcePath).resolve()
+    if found != folder:
+        return Finding(
+            "usdview", False, f"it finds the menu of another usdmotion in {found}, not of {folder}"
+        )
+    return Finding("usdview", True, f"it finds the menu in {folder}")
