@@ -253,3 +253,28 @@ def test_an_inspection_tells_what_is_open(stage: Usd.Stage, tmp_path: Path) -> N
     stage.Flatten().Export(str(tmp_path / "saved.usda"))
     assert found.faults == pipeline.inspect(tmp_path / "saved.usda").faults != ()
     assert found.file == "arm.usda"
+
+
+def test_guides_move_alike_in_a_layer_with_times_of_its_own(
+    arm_shot: Shot, stage: Usd.Stage
+) -> None:
+    other = over(arm_shot(name="other.usda"), 48.0, 3.0, 2.0)
+    for each in (stage, other):
+        onstage.solve(each)
+        onstage.guides(each)
+    guides = [
+        {
+            attribute.GetPath(): attribute
+            for prim in Usd.PrimRange(each.GetPrimAtPath(EDIT))
+            for attribute in prim.GetAuthoredAttributes()
+            if "Guides" in str(prim.GetPath())
+        }
+        for each in (stage, other)
+    ]
+    assert guides[0].keys() == guides[1].keys()
+    assert any(attribute.GetNumTimeSamples() > 1 for attribute in guides[1].values())
+    for path, attribute in guides[1].items():
+        codes = attribute.GetTimeSamples()
+        np.testing.assert_allclose(codes, guides[0][path].GetTimeSamples(), atol=1e-6)
+        for code in (*codes, Usd.TimeCode.Default()):
+            assert attribute.Get(code) == guides[0][path].Get(code), path

@@ -223,3 +223,25 @@ def test_a_report_tells_of_what_is_open(stage: Usd.Stage, tmp_path: Path) -> Non
     (found,) = onstage.report(stage, tmp_path / "report.html")
     assert found.edits[0].edit.path == EDIT
     assert "arm.usda" in (tmp_path / "report.html").read_text()
+
+
+def test_guides_are_drawn_anew_in_the_place_of_what_was_drawn(stage: Usd.Stage) -> None:
+    onstage.solve(stage)
+    solved = said(stage)
+    told = onstage.guides(stage)
+    assert [edit.path for edit in told.edits] == [EDIT]
+    drawn = said(stage)
+    assert drawn[0] != solved[0] and drawn[1:] == solved[1:]
+    assert stage.GetPrimAtPath(f"{EDIT}/Wrist/Guides/After").GetTypeName() == "BasisCurves"
+    onstage.guides(stage)
+    assert said(stage) == drawn
+    assert onstage.inspect(stage).faults == ()
+
+
+def test_guides_that_others_would_hide_are_not_drawn(stage: Usd.Stage) -> None:
+    onstage.guides(stage)
+    stage.SetEditTarget(stage.GetRootLayer())
+    before = said(stage)
+    with pytest.raises(SceneError, match=r"Guides> is authored in arm-session\.usda"):
+        onstage.guides(stage)
+    assert said(stage) == before

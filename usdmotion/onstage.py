@@ -14,11 +14,13 @@ from typing import TYPE_CHECKING, TypeVar
 from usdmotion.answering import Say, beside_its_input, solved_scenes
 from usdmotion.asking import Asked
 from usdmotion.errors import SceneError
+from usdmotion.guiding import guides_over
 from usdmotion.outcome import Outcome
 from usdmotion.plugins import host
 from usdmotion.report import Report
 from usdmotion.report.contacts import DetectionReport
 from usdmotion.report.findings import Findings, findings_of
+from usdmotion.report.guides import GuidesReport
 from usdmotion.reporting import require_matplotlib, tell
 from usdmotion.searching import search_stage
 from usdmotion.session import Session
@@ -211,6 +213,25 @@ def make_template(stage: Stage, contact: str) -> None:
     draft = usd.Draft(stage)
     _named(stage, lambda: usd.author_template(draft.stage, contact))
     draft.put()
+
+
+def guides(stage: Stage, *, say: Say = lambda _: None) -> GuidesReport:
+    """Draw what there is to see of a stage in its edit target, in the place of what was drawn.
+
+    Args:
+        stage: The stage.
+        say: Is told what is being done.
+
+    Returns:
+        What was drawn.
+
+    Raises:
+        InputError: The stage, or its edit target, is at fault, or there is nothing to draw.
+    """
+    from usdmotion import usd
+
+    with usd.drawn_on(stage):
+        return guides_over(stage, usd.name_of(stage), say=say)
 
 
 def report(stage: Stage, output: Path, *, say: Say = lambda _: None) -> tuple[Findings, ...]:

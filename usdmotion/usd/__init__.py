@@ -22,7 +22,7 @@ from usdmotion.usd.detections import (
     detection_provenance,
     read_searches,
 )
-from usdmotion.usd.drafts import Draft
+from usdmotion.usd.drafts import Draft, drawn_on
 from usdmotion.usd.edit_layers import files_of, read_outcomes
 from usdmotion.usd.edits import unsolved_edits
 from usdmotion.usd.guides import (
@@ -79,6 +79,7 @@ __all__ = [
     "author_template",
     "compose",
     "detection_provenance",
+    "drawn_on",
     "edits_of",
     "files_of",
     "inspect",

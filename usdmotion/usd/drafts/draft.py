@@ -10,8 +10,8 @@ from typing import Any
 from pxr import Sdf, Usd
 
 from usdmotion.errors import SceneError
-from usdmotion.usd.drafts.hiding import refuse_hidden
-from usdmotion.usd.drafts.merging import merge, one_change
+from usdmotion.usd.drafts.hiding import refuse_hidden, refuse_hidden_guides
+from usdmotion.usd.drafts.merging import merge, whole_or_not
 from usdmotion.usd.drafts.retiming import retime
 from usdmotion.usd.drafts.targets import offset_of, target_of
 from usdmotion.usd.layers import new_layer
@@ -83,7 +83,7 @@ class Draft:
         retime(layer, target.offset.GetInverse())
         with _named(self._stage):
             refuse_hidden(layer, target)
-        with one_change(target.layer):
+        with whole_or_not(target.layer), Sdf.ChangeBlock():
             merge(layer, target.layer, {Sdf.Path(path) for path in whole})
             if said:
                 data = target.layer.customLayerData
@@ -94,6 +94,23 @@ class Draft:
         own = offset_of(self._stage, layer)
         rates = layer.timeCodesPerSecond / self._stage.GetTimeCodesPerSecond()
         return Sdf.LayerOffset(own.offset, own.scale * rates)
+
+
+@contextmanager
+def drawn_on(stage: Stage) -> Iterator[None]:
+    """Let guides be drawn on an open stage, in its edit target: all of them, or none.
+
+    What is drawn anew takes the place of what was drawn there before, which a draft cannot do.
+
+    Raises:
+        SceneError: The edit target cannot be written to, or a stronger layer has other guides.
+    """
+    with _named(stage):
+        target = target_of(stage)
+        own = stage.GetEditTargetForLocalLayer(target.layer)
+        with whole_or_not(target.layer), Usd.EditContext(stage, own):
+            yield
+            refuse_hidden_guides(target)
 
 
 @contextmanager

@@ -7,6 +7,7 @@ from pxr import Sdf
 from usdmotion.errors import SceneError
 from usdmotion.usd.drafts.merging import VALUES
 from usdmotion.usd.drafts.targets import Target
+from usdmotion.usd.drawn import is_home_spec
 
 _FIELDS = ("active", "typeName")
 """Fields of a prim that are what the strongest layer says."""
@@ -23,12 +24,33 @@ def refuse_hidden(draft: Sdf.Layer, target: Target) -> None:
         SceneError: A stronger layer says something else.
     """
     for path, layer in _hidden(draft, target.stronger):
-        name = layer.GetDisplayName() or layer.identifier
-        raise SceneError(
-            f"<{path}> is authored in {name}, which is stronger than the edit target "
-            f"{target.layer.GetDisplayName() or target.layer.identifier} and would hide what is "
-            "written there; clear it, or make the stronger layer the edit target"
-        )
+        raise _is_hidden(path, layer, target)
+
+
+def refuse_hidden_guides(target: Target) -> None:
+    """Raise if guides that were drawn would not be seen, because there are others above them.
+
+    Args:
+        target: Where they were drawn.
+
+    Raises:
+        SceneError: A stronger layer has guides in the same place.
+    """
+    drawn: list[Sdf.Path] = []
+    target.layer.Traverse(Sdf.Path.absoluteRootPath, drawn.append)
+    for path in drawn:
+        if path.IsPrimPath() and is_home_spec(target.layer.GetPrimAtPath(path)):
+            for layer in target.stronger:
+                if is_home_spec(layer.GetPrimAtPath(path)):
+                    raise _is_hidden(path, layer, target)
+
+
+def _is_hidden(path: Sdf.Path, layer: Sdf.Layer, target: Target) -> SceneError:
+    return SceneError(
+        f"<{path}> is authored in {layer.GetDisplayName() or layer.identifier}, which is stronger "
+        f"than the edit target {target.layer.GetDisplayName() or target.layer.identifier} and "
+        "would hide what is written there; clear it, or make the stronger layer the edit target"
+    )
 
 
 def _hidden(

@@ -12,13 +12,12 @@ _KINDS = ("custom", "typeName", "variability")
 
 
 @contextmanager
-def one_change(layer: Sdf.Layer) -> Iterator[None]:
-    """Change a layer in one change, or, where that fails, not at all."""
+def whole_or_not(layer: Sdf.Layer) -> Iterator[None]:
+    """Change a layer, or, where that fails, leave it as it was."""
     before = Sdf.Layer.CreateAnonymous()
     before.TransferContent(layer)
     try:
-        with Sdf.ChangeBlock():
-            yield
+        yield
     except BaseException:
         layer.TransferContent(before)
         raise
