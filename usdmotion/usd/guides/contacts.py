@@ -27,8 +27,8 @@ from usdmotion.usd.guides.prims import (
     author_opacity,
     author_points,
 )
-from usdmotion.usd.guides.shapes import SHAPE, Shape, author_ghost, author_shape, shape_of
-from usdmotion.usd.guides.sheets import Sheet, author_home, redrawn
+from usdmotion.usd.guides.shapes import Shape, author_ghost, author_shape, shape_of
+from usdmotion.usd.guides.sheets import SHAPE, Sheet, author_home, is_of_contact, redrawn
 from usdmotion.usd.guides.skins import Skins
 from usdmotion.usd.layers import over, set_value
 from usdmotion.usd.relations import edit_of, is_a
@@ -147,12 +147,10 @@ def _drawn_before(sheet: Sheet, objects: Sequence[_Object]) -> list[str]:
     looked_at |= {mark.path for each in objects for mark in each.marks}
     found = []
     for home, owner in sheet.homes().items():
-        if is_a(owner, "UsdMotionEdit"):
-            found += [
-                path for path in sheet.items(home) if path.rsplit("/", 1)[-1].startswith(SHAPE)
-            ]
-        elif not owner or not owner.IsActive() or str(owner.GetPath()) in looked_at:
+        if not owner or not owner.IsActive():
             found.append(home)
+        elif is_a(owner, "UsdMotionEdit") or str(owner.GetPath()) in looked_at:
+            found += [path for path in sheet.items(home) if is_of_contact(path, owner)]
     return found
 
 

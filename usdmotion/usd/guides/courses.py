@@ -61,6 +61,7 @@ def draw_miss(page: Page, miss: Miss) -> None:
     else:
         ends = np.stack([miss.places, miss.wanted], axis=1)
         author_curve(prim, _missed(page, miss.missed, ends), page.width(_THICK), MISSED)
+    author_opacity(prim, 1.0)
     if not miss.missed.all():
         author_visibility(prim, seen(page.codes, miss.missed))
 
@@ -87,5 +88,5 @@ def _draw_way(
         author_points(prim, way, page.width(_SPOT), color)
     else:
         author_curve(prim, way, width, color)
-    if color == BEFORE:
-        author_opacity(prim, PALE)
+    # A contact above is pale while it is not on.
+    author_opacity(prim, PALE if color == BEFORE else 1.0)

@@ -18,6 +18,7 @@ from usdmotion.usd.guides.prims import (
     make,
     move,
 )
+from usdmotion.usd.guides.sheets import OF_CONTACT
 from usdmotion.usd.layers import over, set_varying
 
 _PLACE, _FRAME = "Goal", "TurnedGoal"
@@ -29,7 +30,7 @@ _FAINT = 0.1
 """Opacity of a goal that is not active, so that it is seen where it will be."""
 _STEP = 0.01
 """How exactly activities and rotations are shown."""
-_TAKEN = (BEFORE_NAME, AFTER_NAME, MISSED_NAME)
+_TAKEN = (BEFORE_NAME, AFTER_NAME, MISSED_NAME, *OF_CONTACT)
 
 
 def draw_goals(page: Page, goals: Sequence[GoalMark]) -> None:

@@ -86,7 +86,11 @@ class Standing:
     """The class that does it for all that is below an edit; "" where the prim is moved itself."""
 
     def author(self, sheet: Sheet, prim: Sdf.PrimSpec) -> None:
-        """Give a spec below that prim the frame of the world."""
+        """Give a spec below that prim the frame of the world, whatever it had."""
+        prim.inheritPathList.ClearEdits()
+        for name in (PLACED, "xformOpOrder"):
+            if name in prim.attributes:
+                del prim.attributes[name]
         if self.placed.is_identity:
             return
         if self.shared:
@@ -124,8 +128,8 @@ class Worlds:
             if not placed.is_identity:
                 author_home(self.sheet, home)
                 prim = over(self.sheet.layer, f"{home}/{WORLD}")
-                for name in list(prim.attributes.keys()):
-                    del prim.attributes[name]
+                if PLACED in prim.attributes:
+                    del prim.attributes[PLACED]
                 make(prim, "Xform")
                 prim.specifier = Sdf.SpecifierClass
                 author_placement(self.sheet, prim, placed)

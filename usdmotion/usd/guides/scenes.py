@@ -14,10 +14,8 @@ from usdmotion.usd.guides.courses import draw_course, draw_miss
 from usdmotion.usd.guides.goals import draw_goals
 from usdmotion.usd.guides.pages import Page
 from usdmotion.usd.guides.placements import Worlds
-from usdmotion.usd.guides.shapes import is_shape
-from usdmotion.usd.guides.sheets import Sheet, author_home, redrawn
+from usdmotion.usd.guides.sheets import Sheet, author_home, is_of_contact, redrawn
 from usdmotion.usd.guides.skeletons import Ghost, draw_ghost, read_ghost
-from usdmotion.usd.relations import is_a
 from usdmotion.usd.shot import Facts
 from usdmotion.usd.stages import read_facts
 
@@ -54,19 +52,12 @@ def author_guides(stage: Usd.Stage, shown: Sequence[ShownScene]) -> tuple[str, .
     worlds = Worlds(sheet)
     drawings = [_drawing(worlds, scene, edit, facts) for scene in shown for edit in scene.edits]
     paths = [drawing.shown.path for drawing in drawings]
-    homes = [
-        place
-        for path, owner in sheet.homes().items()
-        if _is_drawn_anew(path, owner, paths)
-        for place in (_items(sheet, path) if is_a(owner, "UsdMotionEdit") else [path])
-    ]
-    with redrawn(sheet, homes):
+    with redrawn(sheet, _drawn_before(sheet, paths)):
         worlds.author()
         for drawing in drawings:
             _draw(drawing)
-    return tuple(
-        path for path in sheet.homes() if any(path.startswith(f"{each}/") for each in paths)
-    )
+    homes = [home for each in drawings for home in (each.page.home, *each.page.homes.values())]
+    return tuple(home for home in homes if sheet.layer.GetPrimAtPath(home))
 
 
 def _drawing(worlds: Worlds, scene: ShownScene, edit: ShownEdit, facts: Facts) -> _Drawing:
@@ -113,19 +104,15 @@ def _owners(edit: ShownEdit) -> list[str]:
     return list(dict.fromkeys([*others, *goals, *balance]))
 
 
-def _is_drawn_anew(home: str, owner: Usd.Prim, edits: Sequence[str]) -> bool:
-    """Tell whether guides are of some edits, or of what is switched off or gone."""
-    if is_a(owner, "UsdMotionDetection") or is_a(owner, "UsdMotionContactConstraint"):
-        return False
-    path = Sdf.Path(home)
-    return (
-        not owner or not owner.IsActive() or any(path.HasPrefix(Sdf.Path(each)) for each in edits)
-    )
-
-
-def _items(sheet: Sheet, home: str) -> list[str]:
-    """Return the paths of the guides of an edit, but for what contacts are drawn with."""
-    return [path for path in sheet.items(home) if not is_shape(path)]
+def _drawn_before(sheet: Sheet, edits: Sequence[str]) -> list[str]:
+    """Return the paths of guides of some edits, and of all that is switched off or gone."""
+    found = []
+    for home, owner in sheet.homes().items():
+        if not owner or not owner.IsActive():
+            found.append(home)
+        elif any(Sdf.Path(home).HasPrefix(Sdf.Path(each)) for each in edits):
+            found += [path for path in sheet.items(home) if not is_of_contact(path, owner)]
+    return found
 
 
 def _size(scene: ShownScene, edit: ShownEdit) -> float:

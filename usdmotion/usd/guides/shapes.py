@@ -13,8 +13,6 @@ from usdmotion.usd.layers import over, relate, set_value, set_varying
 from usdmotion.usd.transforms import world_matrices
 
 _TYPES = Sdf.ValueTypeNames
-SHAPE = "Shape"
-"""What the name begins with of a class below guides that ghosts of an object are copies of."""
 _MOST_PIECES = 32
 """Of a prop with more the box around it is shown."""
 _BOX = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
@@ -47,11 +45,6 @@ class Shape:
     def kind(self) -> str:
         """Type of the prim."""
         return "Mesh" if self.part is not None else "Xform"
-
-
-def is_shape(path: str) -> bool:
-    """Tell whether a guide is a class that ghosts of an object are copies of."""
-    return path.rsplit("/", 1)[-1].startswith(SHAPE)
 
 
 def shape_of(held: ContactObject, prim: Usd.Prim, guide: str, skins: Skins) -> Shape | None:

@@ -1,6 +1,6 @@
 """The layer that guides are drawn in, and what is drawn on the stage already."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
@@ -12,7 +12,12 @@ from usdmotion.arrays import Floats
 from usdmotion.usd.drawn import GUIDES, is_home, is_home_spec
 from usdmotion.usd.guides.prims import guide, make
 from usdmotion.usd.layers import over
+from usdmotion.usd.relations import is_a
 
+SHAPE = "Shape"
+"""What the name begins with of a class that shows what an object of contacts looks like."""
+OF_CONTACT = ("Held", "Number", "Axis", "Way", "Sole", "Ghost", "Trajectory")
+"""Names of the guides of a contact and of a detection."""
 _EVERYTHING = Usd.PrimIsDefined & ~Usd.PrimIsAbstract
 """What is switched off too."""
 
@@ -74,26 +79,41 @@ def author_home(sheet: Sheet, path: str) -> Sdf.PrimSpec:
     return home
 
 
+def is_of_contact(path: str, owner: Usd.Prim) -> bool:
+    """Tell whether a guide is one that contacts are drawn with, and not what is asked of an edit.
+
+    Args:
+        path: Path of the guide.
+        owner: What it stands below.
+    """
+    name = path.rsplit("/", 1)[-1]
+    return name.startswith(SHAPE) or (name in OF_CONTACT and not is_a(owner, "UsdMotionEdit"))
+
+
 @contextmanager
-def redrawn(sheet: Sheet, homes: Iterable[str]) -> Iterator[None]:
-    """Take out what was drawn in some places, let it be drawn anew, and hide the rest of it.
+def redrawn(sheet: Sheet, guides: Sequence[str]) -> Iterator[None]:
+    """Take out what was drawn before, let it be drawn anew, and hide the rest of it.
 
     Nothing can be read from the stage meanwhile.
 
     Args:
         sheet: Where.
-        homes: The places, as paths of guides that are there.
+        guides: Paths of the guides that were drawn before, or of all that stand together.
     """
-    behind = {path: seen for home in homes for path, seen in _behind(sheet, home)}
+    behind = {path: seen for each in guides for path, seen in _behind(sheet, each)}
     with Sdf.ChangeBlock():
-        for home in homes:
-            _remove(sheet.layer.GetPrimAtPath(home))
+        for each in guides:
+            _remove(sheet.layer.GetPrimAtPath(each))
         yield
         hidden: list[Sdf.Path] = []
         for path, seen in behind.items():
             if not any(path.HasPrefix(each) for each in hidden):
                 if _settle(sheet.layer, path, seen):
                     hidden.append(path)
+        for home in {Sdf.Path(each).GetParentPath() for each in guides}:
+            spec = sheet.layer.GetPrimAtPath(home)
+            if is_home_spec(spec) and not spec.nameChildren:
+                _remove(spec)
 
 
 @dataclass(frozen=True, eq=False)
