@@ -2,8 +2,16 @@
 
 import pytest
 
-from usdmotion.arguments import cutoff_of, duration_of, frames_of, names_of, options_of, template_of
-from usdmotion.asking import Example
+from usdmotion.arguments import (
+    cutoff_of,
+    duration_of,
+    frames_of,
+    moments_of,
+    names_of,
+    options_of,
+    template_of,
+)
+from usdmotion.asking import Example, Span
 from usdmotion.errors import OptionError
 
 
@@ -63,3 +71,28 @@ def test_names_are_separated_by_commas_or_said_one_after_another() -> None:
     assert names_of(["a, b", "c", ""]) == ("a", "b", "c")
     assert names_of(None) == ()
     assert names_of([""]) == names_of([" , "]) == ("",)
+
+
+def test_frames_of_a_picture_are_a_span_or_a_list():
+    assert moments_of(None) is None
+    assert moments_of("3") == (3.0,)
+    assert moments_of("1,24.5,48") == (1.0, 24.5, 48.0)
+    assert moments_of("1:48") == Span(1.0, 48.0)
+    assert moments_of("-4:48:8") == Span(-4.0, 48.0, 8.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "names no frames"),
+        ("a,b", "names no frames"),
+        ("1:2:3:4", "names no frames"),
+        ("1:nan", "names no frames"),
+        ("1:4,5", "a range and a list"),
+        ("48:1", "ends before it starts"),
+        ("1:48:0", "does not get on"),
+    ],
+)
+def test_frames_of_a_picture_that_are_none_are_refused(text, said):
+    with pytest.raises(OptionError, match=said):
+        moments_of(text)

@@ -5,7 +5,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from usdmotion.asking import Example
+from usdmotion.asking import Example, Span
 from usdmotion.errors import OptionError
 
 
@@ -40,6 +40,31 @@ def frames_of(text: str | None) -> tuple[float, float] | None:
     if not frames[0] <= frames[1]:
         raise OptionError(f"--frames {text} ends before it starts; write the earlier time first")
     return frames
+
+
+def moments_of(text: str | None) -> Span | tuple[float, ...] | None:
+    """Return the frames of a picture from A:B, A:B:STEP or A,B,…
+
+    Raises:
+        OptionError: They are none.
+    """
+    if text is None:
+        return None
+    parts = text.split(":")
+    if not all(_is_number(each) for part in parts for each in part.split(",")) or len(parts) > 3:
+        raise OptionError(
+            f"--frames {text} names no frames; write 1:48, 1:48:8, or 1,24,48 in time codes"
+        )
+    if len(parts) == 1:
+        return tuple(float(each) for each in text.split(","))
+    if any("," in part for part in parts):
+        raise OptionError(f"--frames {text} is a range and a list; write one of them")
+    first, last, *steps = (float(part) for part in parts)
+    if first > last:
+        raise OptionError(f"--frames {text} ends before it starts; write the earlier time first")
+    if steps and not steps[0] > 0.0:
+        raise OptionError(f"--frames {text} does not get on; write a step above 0")
+    return Span(first, last, *steps)
 
 
 def cutoff_of(clean: float | None, flag: str = "--clean") -> float | None:

@@ -42,3 +42,13 @@ class Asked:
     """Paths of the only Skeletons that are looked at; empty is all of them."""
     guides: bool = True
     """Whether contacts are drawn too, for people to look at."""
+
+
+@dataclass(frozen=True)
+class Span:
+    """Frames of a picture, from a first to a last time code, inclusive."""
+
+    first: float
+    last: float
+    step: float | None = None
+    """Between two of them, in time codes; None spreads a usual number of frames evenly."""

@@ -17,6 +17,7 @@ from usdmotion.guiding import drawing, guides_beside, require_room
 from usdmotion.guiding import guides as guides
 from usdmotion.normalizing import normalize as normalize
 from usdmotion.options import configured
+from usdmotion.picturing import picture as picture
 from usdmotion.planting import Wish, plant
 from usdmotion.plugins import host
 from usdmotion.recording import Recording

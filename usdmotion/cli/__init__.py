@@ -13,7 +13,7 @@ from usdmotion.errors import InputError
 from usdmotion.cli import import_, inspect  # noqa: F401
 from usdmotion.cli import detect, solve, clean, report  # noqa: F401
 from usdmotion.cli import normalize, retarget  # noqa: F401
-from usdmotion.cli import guides  # noqa: F401
+from usdmotion.cli import guides, picture  # noqa: F401
 from usdmotion.cli import plugins, demo, schemas  # noqa: F401
 
 __all__ = ["app", "main", "schema"]

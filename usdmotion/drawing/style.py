@@ -107,6 +107,13 @@ class Picture:
             f'<svg role="img" viewBox="0 0 {wide:g} {tall:g}">{_INDENTED.sub("", inside)}'.rstrip()
         )
 
+    def svg_file(self) -> bytes:
+        """Return it as a file of SVG; the same picture is the same bytes."""
+        wide, tall = 72.0 * self.figure.get_size_inches()
+        names = 'xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
+        head = f'<svg {names} width="{wide:g}pt" height="{tall:g}pt" stroke-linejoin="round" '
+        return (self.svg().replace("<svg ", head, 1) + "\n").encode()
+
     def png(self) -> bytes:
         """Return it as PNG of few colours; the same picture is the same bytes."""
         from usdmotion.drawing.pixels import of_few_colors

@@ -134,7 +134,7 @@ def _require_points(prim: Usd.Prim, triangles: Ints, points: Floats) -> None:
 
 def _cube(prim: Usd.Prim, around: int, size: float) -> tuple[Floats, Ints]:
     points = size * (np.array(list(np.ndindex(2, 2, 2))) - 0.5)
-    quads = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)]
+    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     return points, np.array([each for a, b, c, d in quads for each in ((a, b, c), (a, c, d))])
 
 

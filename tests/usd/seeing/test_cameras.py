@@ -47,7 +47,7 @@ def test_places_in_the_frame_are_those_of_usd(projection, unit, code):
 
     seen = see_through(prim, code, read_facts(stage))
     left, bottom, right, top = seen.window
-    flat = seen.eye.flat(unit * np.array(world))
+    flat = seen.flat(unit * np.array(world))
     low, high = np.array((left, bottom)), np.array((right, top))
     np.testing.assert_allclose(2.0 * (flat - low) / (high - low) - 1.0, known, atol=1e-9)
 
@@ -55,22 +55,23 @@ def test_places_in_the_frame_are_those_of_usd(projection, unit, code):
 def test_lengths_in_the_picture_shrink_with_distance():
     stage, prim = camera("perspective")
     seen = see_through(prim, 1.0, read_facts(stage))
-    eye = seen.eye
+    eye = seen
     place = np.array(UsdGeom.Camera(prim).GetCamera(1.0).frustum.GetPosition())
     ahead = -np.array(eye.towards)
     points = place + np.array([[2.0], [4.0]]) * ahead
     aside = points + 0.1 * np.array(eye.right)
     lengths = np.linalg.norm(eye.flat(aside) - eye.flat(points), axis=1)
-    np.testing.assert_allclose(lengths, 0.1 * eye.scale(points))
+    np.testing.assert_allclose(lengths, 0.1 * eye.size(points))
     assert lengths[0] == pytest.approx(2.0 * lengths[1])
     assert eye.near(points)[0] > eye.near(points)[1]
 
 
-def test_what_is_behind_a_camera_is_nowhere():
+def test_what_is_behind_a_camera_is_not_before_it():
     stage, prim = camera("perspective")
     seen = see_through(prim, 1.0, read_facts(stage))
-    behind = seen.eye.place + seen.eye.towards
-    assert np.isnan(seen.eye.flat(behind)).all()
+    behind = seen.position + seen.towards
+    assert not seen.near(behind) < seen.limit
+    assert seen.near(seen.position - 5.0 * seen.towards) < seen.limit
 
 
 def test_who_names_no_camera_is_told_which_there_are():

@@ -27,7 +27,7 @@ def see_bodies(
     """
     found: list[SeenBody] = []
     notes: list[str] = []
-    for prim in _moved(stage):
+    for prim in moved_skeletons(stage):
         try:
             found.append(_body(prim, time_codes, facts))
         except SceneError as error:
@@ -35,7 +35,8 @@ def see_bodies(
     return tuple(found), tuple(notes)
 
 
-def _moved(stage: Usd.Stage) -> Iterator[Usd.Prim]:
+def moved_skeletons(stage: Usd.Stage) -> Iterator[Usd.Prim]:
+    """Yield the Skeletons that an animation is bound to, ghosts left out."""
     for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()):
         if is_a(prim, "UsdSkelSkeleton") and joints_of(prim) and bound_animation(prim):
             # A Skeleton is often a guide itself; one that stands under a guide is a ghost.

@@ -4,12 +4,13 @@ import numpy as np
 from pxr import Gf, Usd, UsdGeom
 
 from usdmotion.arrays import Floats
-from usdmotion.drawing.eyes import Camera
-from usdmotion.drawing.perspectives import Perspective
+from usdmotion.drawing.eyes import Camera, Eye, Perspective, Window
 from usdmotion.errors import SceneError
 from usdmotion.usd.relations import is_a
-from usdmotion.usd.seeing.seen import SeenThrough
 from usdmotion.usd.shot import Facts
+
+_NEAREST = 0.01
+"""What is nearer to an eye than this is not seen, however near the camera clips [m]."""
 
 
 def find_camera(stage: Usd.Stage, path: str) -> Usd.Prim:
@@ -28,8 +29,8 @@ def find_camera(stage: Usd.Stage, path: str) -> Usd.Prim:
     raise SceneError(f"<{path}> {what}; {there}")
 
 
-def see_through(camera: Usd.Prim, time_code: float, facts: Facts) -> SeenThrough:
-    """Return a camera as an eye, and what it frames.
+def see_through(camera: Usd.Prim, time_code: float, facts: Facts) -> Eye:
+    """Return a camera as an eye that shows what it frames.
 
     Args:
         camera: A Camera prim.
@@ -37,19 +38,20 @@ def see_through(camera: Usd.Prim, time_code: float, facts: Facts) -> SeenThrough
         facts: Units of the stage.
     """
     found = UsdGeom.Camera(camera).GetCamera(Usd.TimeCode(time_code))
-    frustum = found.frustum
-    place = np.array(frustum.GetPosition()) * facts.meters_per_unit
+    frustum, unit = found.frustum, facts.meters_per_unit
+    place = np.array(frustum.GetPosition()) * unit
     axes = (Gf.Vec3d(1, 0, 0), Gf.Vec3d(0, 1, 0), Gf.Vec3d(0, 0, 1))
     right, up, towards = (np.array(frustum.GetRotation().TransformDir(each)) for each in axes)
     sides = np.array((*frustum.GetWindow().GetMin(), *frustum.GetWindow().GetMax()))
+    nearest = max(float(frustum.GetNearFar().GetMin()) * unit, _NEAREST)
     if found.projection == Gf.Camera.Perspective:
-        return SeenThrough(Perspective(place, right, up, towards), _window(sides))
+        return Perspective(place, right, up, towards, 1.0, _window(sides), nearest)
     # What is seen without perspective is where it is in the world, and the frame goes along.
     middle = np.array((place @ right, place @ up))
-    sides = sides * facts.meters_per_unit + np.tile(middle, 2)
-    return SeenThrough(Camera(right, up, towards), _window(sides))
+    window = _window(sides * unit + np.tile(middle, 2))
+    return Camera(right, up, towards, window, float(place @ towards) - nearest)
 
 
-def _window(sides: Floats) -> tuple[float, float, float, float]:
+def _window(sides: Floats) -> Window:
     left, bottom, right, top = (float(each) for each in sides)
     return left, bottom, right, top

@@ -4,8 +4,6 @@ from dataclasses import dataclass
 
 from usdmotion.arrays import Bools, Floats, Ints
 from usdmotion.cast import Character
-from usdmotion.drawing.eyes import Camera
-from usdmotion.drawing.perspectives import Perspective
 from usdmotion.motion import WorldPose
 
 
@@ -39,12 +37,3 @@ class SeenBody:
     """Of its joints, (frame_count, joint_count, 3) and (frame_count, joint_count, 4)."""
     visible: Bools
     """When it is, shape (frame_count,)."""
-
-
-@dataclass(frozen=True, eq=False)
-class SeenThrough:
-    """What a camera frames at one time."""
-
-    eye: Camera | Perspective
-    window: tuple[float, float, float, float]
-    """Left, bottom, right and top of what it frames, in the eye's picture."""

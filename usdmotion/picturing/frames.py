@@ -1,0 +1,115 @@
+"""Which frames of a clip are drawn."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from usdmotion.arrays import Floats
+from usdmotion.asking import Span
+from usdmotion.errors import OptionError
+
+MOST = 12
+"""More panels than this beside each other are too small to see anything."""
+USUAL = 6
+"""How many are drawn where nobody says."""
+_FEWER = {1: 6, 2: 6, 3: 5, 4: 4}
+_FEWEST = 3
+"""The same by how many bodies are in each; a crowd needs room."""
+_SLACK = 1e-6
+
+
+@dataclass(frozen=True)
+class Clip:
+    """When there is something to be seen on a stage, in time codes."""
+
+    first: float
+    last: float
+    step: float
+    """Of one frame."""
+
+    @property
+    def frame_count(self) -> int:
+        """Number of frames."""
+        return int((self.last - self.first) / self.step + _SLACK) + 1
+
+    def snapped(self, codes: Floats) -> Floats:
+        """Return the frames of the clip nearest to some time codes."""
+        frames = np.round((codes - self.first) / self.step)
+        return np.asarray(
+            self.first + self.step * np.clip(frames, 0.0, self.frame_count - 1), dtype=np.float64
+        )
+
+
+def asked_for(asked: Span | Sequence[float], clip: Clip) -> Floats:
+    """Return the time codes that somebody asks for, ascending, each once.
+
+    Args:
+        asked: A span, or time codes.
+        clip: When there is something to be seen.
+
+    Raises:
+        OptionError: One is outside of the clip, there is none, or there are too many.
+    """
+    codes = _of_span(asked, clip) if isinstance(asked, Span) else np.unique(np.array(asked, float))
+    if not len(codes):
+        raise OptionError("--frames names no frame; write time codes with commas, as 1,24,48")
+    outside = codes[(codes < clip.first - _SLACK) | (codes > clip.last + _SLACK)]
+    if len(outside):
+        raise OptionError(
+            f"--frames names {outside[0]:g}, which is outside of the clip; it goes from "
+            f"{clip.first:g} to {clip.last:g}"
+        )
+    if len(codes) > MOST:
+        wide = (codes[-1] - codes[0]) / (MOST - 1)
+        step = max(clip.step * np.ceil(wide / clip.step - _SLACK), clip.step)
+        raise OptionError(
+            f"--frames names {len(codes)} frames, of which {MOST} fit beside each other; write "
+            f"--frames {codes[0]:g}:{codes[-1]:g}:{step:g}"
+        )
+    return codes
+
+
+def usual(body_count: int) -> int:
+    """Return how many frames are drawn of some bodies where nobody says."""
+    return _FEWER.get(max(body_count, 1), _FEWEST)
+
+
+def telling(tiers: Sequence[Sequence[float]], clip: Clip, count: int = USUAL) -> Floats:
+    """Return some frames at which it is worth looking.
+
+    Args:
+        tiers: Time codes of what there is to be seen, the most important first; those of one tier
+            are as important as each other.
+        clip: When there is something to be seen.
+        count: How many frames.
+
+    Returns:
+        The start, the end, what is told of, and frames in the widest gaps; ascending.
+    """
+    found = np.unique(np.array([clip.first, clip.snapped(np.array([clip.last]))[0]]))
+    apart = (clip.last - clip.first) / (2.5 * count)
+    for tier in tiers:
+        left = clip.snapped(np.unique(np.array(tier, dtype=np.float64)))
+        while len(left) and len(found) < count:
+            gaps = np.abs(left[:, None] - found).min(axis=1)
+            if gaps.max() <= max(apart, _SLACK):
+                break
+            found = np.sort(np.append(found, left[gaps.argmax()]))
+    while len(found) < min(count, clip.frame_count):
+        widest = int(np.diff(found).argmax())
+        middle = clip.snapped(np.array([0.5 * (found[widest] + found[widest + 1])]))
+        if np.abs(found - middle).min() < _SLACK:
+            break
+        found = np.sort(np.append(found, middle))
+    return found
+
+
+def _of_span(span: Span, clip: Clip) -> Floats:
+    if span.step is None:
+        count = min(USUAL, int((span.last - span.first) / clip.step + _SLACK) + 1)
+        even = np.linspace(span.first, span.last, count)
+        inner = span.first + clip.step * np.round((even - span.first) / clip.step)
+        return np.unique(np.minimum(inner, span.last))
+    count = int((span.last - span.first) / span.step + _SLACK) + 1
+    return np.asarray(span.first + span.step * np.arange(count), dtype=np.float64)

@@ -1,0 +1,51 @@
+"""When it is worth looking: where goals and contacts are on, where most is missing."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from usdmotion.arrays import Bools
+from usdmotion.quality import runs
+from usdmotion.showing import ShownEdit, ShownScene
+
+_ON = 0.999
+"""Activity of a goal that is wholly on."""
+
+
+def tiers_of(scenes: Sequence[ShownScene]) -> list[list[float]]:
+    """Return time codes of what there is to be seen, the most important first.
+
+    They are the frames where most is missed, then the middles of what goals ask, then those of what
+    is asked without a goal.
+    """
+    edits = [(scene.scene.time_codes.tolist(), edit) for scene in scenes for edit in scene.edits]
+    return [
+        [codes[frame] for codes, edit in edits for frame in frames(edit)]
+        for frames in (_worst, _wanted, _asked)
+    ]
+
+
+def _worst(edit: ShownEdit) -> Iterator[int]:
+    for miss in edit.misses:
+        if miss.wanted is None:
+            yield int(miss.missed.argmax())
+            continue
+        left = np.linalg.norm(miss.wanted - miss.places, axis=1)
+        yield int(np.where(miss.missed, left, -1.0).argmax())
+
+
+def _wanted(edit: ShownEdit) -> Iterator[int]:
+    for goal in edit.goals:
+        yield from _middles(goal.activity >= min(_ON, float(goal.activity.max(initial=0.0))))
+
+
+def _asked(edit: ShownEdit) -> Iterator[int]:
+    for course in edit.courses:
+        yield from _middles(course.on)
+
+
+def _middles(on: Bools) -> Iterator[int]:
+    """Yield the middles of stretches that are not all of a clip: those say nothing of when."""
+    for first, end in runs(on):
+        if end - first < len(on):
+            yield (first + end - 1) // 2

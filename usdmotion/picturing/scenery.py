@@ -1,0 +1,177 @@
+"""What of one stage is drawn at some times, and how it is framed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from usdmotion.arrays import Floats
+from usdmotion.drawing.bodies import Kind
+from usdmotion.drawing.mannequin import Mannequin
+from usdmotion.drawing.strips import Body, Surface
+from usdmotion.picturing.surfaces import drawn, lies_under
+
+if TYPE_CHECKING:
+    from usdmotion.usd.seeing import SeenBody, SeenSurface, Side
+
+_LARGE = 1.2
+"""What is larger than this, over the height of a body, may go beyond a panel."""
+_NEAR = 0.4
+"""What is farther from all bodies than this, over their height, may go beyond a panel."""
+_LOW = 0.12
+"""What is not higher above the lowest joint than this, over the height of a body, is a ground."""
+_COVERED = 0.5
+"""A skin that moves with so many of the joints that limbs hang on is drawn in their place."""
+_MOVED = 1e-3
+"""What stays within this does not move [m]."""
+_STANDING = (-0.1, 0.45)
+"""Whoever's lowest joint is between these, in lengths of a leg, moves on ground of height 0."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scenery:
+    """A stage at the times that are drawn."""
+
+    side: Side
+    bodies: tuple[SeenBody, ...]
+    surfaces: tuple[tuple[SeenSurface, ...], ...]
+    """Time by time."""
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether there is nothing to see at any of the times."""
+        return not any(self.surfaces) and not any(each.visible.any() for each in self.bodies)
+
+    @cached_property
+    def _mannequins(self) -> dict[str, Mannequin]:
+        return {each.character.path: Mannequin.of(each.character) for each in self.bodies}
+
+    @cached_property
+    def _skinned(self) -> frozenset[str]:
+        """Paths of the skeletons whose skins take the place of limbs."""
+        moved: dict[str, set[int]] = {}
+        for surface in (each for row in self.surfaces for each in row if not each.sketch):
+            if surface.joints is not None:
+                moved.setdefault(surface.skeleton, set()).update(surface.joints.tolist())
+        nodes = {path: set(each.nodes) for path, each in self._mannequins.items()}
+        return frozenset(
+            path
+            for path, own in nodes.items()
+            if len(own & moved.get(path, set())) >= _COVERED * max(len(own), 1)
+        )
+
+    def limbs(self, frame: int) -> tuple[Body, ...]:
+        """Return the bodies that are drawn as limbs."""
+        return tuple(
+            Body(
+                self._mannequins[each.character.path],
+                (each.pose[0][frame], each.pose[1][frame]),
+                self._kind(each.character.path),
+            )
+            for each in self.bodies
+            if each.visible[frame] and each.character.path not in self._skinned
+        )
+
+    def _kind(self, path: str) -> Kind:
+        if self.side.kind == "alone":
+            return "after"
+        return self.side.kind if path in self.side.skeletons else "other"
+
+    def drawn(self, frame: int) -> tuple[Surface, ...]:
+        """Return the surfaces as they are drawn, without the light meshes of known bodies.
+
+        Their limbs or skins show the same, and more of it.
+        """
+        return tuple(
+            drawn(each, beyond=not self._is_framed(each, frame))
+            for each in self.surfaces[frame]
+            if not (each.sketch and each.skeleton in self._mannequins)
+        )
+
+    def lowest(self, up: Floats) -> float:
+        """Return how high the lowest of all that moves gets, infinity where nothing does [m]."""
+        return min((float((points @ up).min()) for points in self.places()), default=np.inf)
+
+    def places(self) -> Iterator[Floats]:
+        """Yield where joints of bodies are, or else the points of what a panel has to show [m]."""
+        for each in self.bodies:
+            yield each.pose[0].reshape(-1, 3)
+        if not self.bodies:
+            for surface in (each for row in self.surfaces for each in row):
+                if surface.path in self._moving:
+                    yield surface.points
+
+    def ground(self, up: Floats) -> float | None:
+        """Return the height of the ground that the stage has not [m]; None where it has one."""
+        places = list(self.places())
+        if not places:
+            return None
+        moving = self._moving if not self.bodies else frozenset()
+        still = (each for each in self.surfaces[0] if not each.skeleton)
+        under = [each for each in still if each.path not in moving]
+        if lies_under(under, np.concatenate(places), up):
+            return None
+        lowest = self.lowest(up)
+        legs = [each.character.leg_length for each in self.bodies]
+        low, high = (share * max(legs, default=0.0) for share in _STANDING)
+        return 0.0 if low <= lowest <= high else lowest
+
+    def _is_framed(self, surface: SeenSurface, frame: int) -> bool:
+        """Tell whether a panel has to show a surface: a skin, what moves, what is near a body.
+
+        Grounds and walls may go beyond it.
+        """
+        if not self.bodies:
+            return surface.path in self._moving
+        height = max(each.height for each in self._mannequins.values())
+        if surface.skeleton:
+            return True
+        if np.ptp(surface.points, axis=0).max() > _LARGE * height:
+            return False
+        joints = np.concatenate([each.pose[0][frame] for each in self.bodies])
+        up = self.side.facts.up
+        if (surface.points @ up).max() < (joints @ up).min() + _LOW * height:
+            return False
+        low, high = surface.points.min(axis=0), surface.points.max(axis=0)
+        away = np.maximum(np.maximum(low - joints, joints - high), 0.0)
+        return bool(np.linalg.norm(away, axis=1).min() <= _NEAR * height)
+
+    @cached_property
+    def _moving(self) -> frozenset[str]:
+        """Paths of the surfaces that move; of all, where none does."""
+        first = {each.path: each.points for each in self.surfaces[0]}
+        moving = frozenset(
+            each.path
+            for row in self.surfaces
+            for each in row
+            if each.path not in first
+            or each.points.shape != first[each.path].shape
+            or np.abs(each.points - first[each.path]).max() > _MOVED
+        )
+        return moving or frozenset(each.path for row in self.surfaces for each in row)
+
+
+def look(side: Side, codes: Floats) -> tuple[Scenery, tuple[str, ...]]:
+    """Return what of a stage is drawn at some times, and a note on each thing that is not.
+
+    Args:
+        side: The stage.
+        codes: When, ascending, in time codes.
+    """
+    from usdmotion.usd.seeing import Sight, see_bodies
+
+    sight = Sight.of(side.stage, side.facts)
+    bodies, notes = see_bodies(side.stage, codes, side.facts)
+    surfaces = tuple(sight.surfaces(float(code)) for code in codes)
+    return Scenery(side, bodies, surfaces), (*notes, *sight.notes.values())
+
+
+def common_ground(sceneries: Sequence[Scenery], up: Floats) -> float | None:
+    """Return the height of the ground to be drawn under all of some stages; None for none."""
+    found = [each.ground(up) for each in sceneries]
+    heights = [each for each in found if each is not None]
+    return min(heights) if len(heights) == len(found) and heights else None
