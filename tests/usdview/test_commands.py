@@ -1,5 +1,6 @@
 """Every command does what it says, on stages of ours; what it makes is where results go."""
 
+import tempfile
 import webbrowser
 from pathlib import Path
 
@@ -64,6 +65,14 @@ def test_an_edit_is_solved_its_result_shown_muted_and_judged(seat, qt, untouched
     assert qt.asked == [] and qt.cursors == []
 
 
+def test_faults_come_first_where_a_stage_is_inspected(seat, capsys):
+    here = seat("reaching")
+    here.stage.GetPrimAtPath(f"{EDIT}/LeftHeel").GetAttribute("usdmotion:joint").Set("LeftFot")
+    assert here.pick("inspect").endswith("; 1 fault found")
+    shown = capsys.readouterr().out
+    assert shown.index("LeftFot") < shown.index("skeletons")
+
+
 def test_a_miss_is_told_and_gone_to(seat, untouched):
     here = seat("reaching")
     here.stage.GetPrimAtPath(f"{EDIT}/LeftWrist/Reach").GetAttribute("xformOp:translate").Set(
@@ -83,6 +92,7 @@ def test_contacts_are_detected_made_templates_and_detected_again(walker, untouch
     )
     assert walker.api.dataModel.viewSettings.displayGuide
     contacts = [f"{CONTACTS}/LeftFoot/Contact01", f"{CONTACTS}/RightFoot/Contact01"]
+    assert walker.pick("detect", SKELETON, "/Ball") == said  # which does not move
     said = walker.pick("make_template", *contacts)
     assert said == "the next detection learns from Contact01, Contact01; in the session layer"
     assert all(value(walker, path, "template") for path in contacts)
@@ -138,8 +148,9 @@ def test_nobody_chooses_a_joint(walker, qt, untouched):
     assert walker.stage.GetSessionLayer().ExportToString() == before
 
 
-def test_the_report_is_opened(seat, monkeypatch):
+def test_the_report_is_opened(seat, monkeypatch, tmp_path):
     here, opened = seat("reaching"), []
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     monkeypatch.setattr(onstage, "report", lambda stage, output, *, say: say("drawing"))
     monkeypatch.setattr(webbrowser, "open", lambda uri: opened.append(uri) or len(opened) < 2)
     said = here.pick("report")

@@ -5,13 +5,14 @@ What they do is `usdmotion.onstage`; here it is found out what is meant, and whe
 
 import tempfile
 import webbrowser
+from dataclasses import replace
 from pathlib import Path
 
 from usdmotion import onstage
 from usdmotion.asking import Asked
 from usdmotion.errors import SceneError
 from usdmotion.report.wording import amount
-from usdmotion.terminal import rendered, tables
+from usdmotion.terminal import rendered, table, tables
 from usdmotion.usd.layers import SUFFIXES
 from usdmotion.usd.relations import joints_of
 from usdmotion.usdview import destinations, telling
@@ -24,8 +25,11 @@ def inspect(here: Here) -> str:
     """Show what is on the stage, and every fault found."""
     with here.window.busy():
         found = onstage.inspect(here.selection.stage)
-    here.window.show("what is on the stage", rendered(*tables(found)))
-    return telling.of_inspection(found)
+    told = telling.of_inspection(found)
+    faults = [table("faults", found.faults)] if found.faults else []
+    rest = tables(replace(found, faults=()))
+    here.window.show("what is on the stage", rendered(told, *faults, *rest))
+    return told
 
 
 def report(here: Here) -> str:
@@ -40,19 +44,16 @@ def report(here: Here) -> str:
 
 
 def detect(here: Here) -> str:
-    """Find the contacts of the selected skeletons, or of the selected props."""
-    selection, asked = here.selection, []
+    """Find the contacts of the selected skeletons; of the selected props where none is selected."""
+    selection = here.selection
     if selection.characters or (selection.anybody and not selection.props):
-        asked.append(Asked(skeletons=selection.skeletons))
-    if selection.props or not asked:
-        asked.append(Asked(prims=selection.props))
-    told = []
+        asked = Asked(skeletons=selection.skeletons)
+    else:
+        asked = Asked(prims=selection.props)
     with here.writing() as (say, place):
-        for each in asked:
-            found = onstage.detect(selection.stage, each, say=say)
-            told.append(telling.of_detection(found, place))
+        found = onstage.detect(selection.stage, asked, say=say)
     here.show_guides()
-    return "; ".join(told)
+    return telling.of_detection(found, place)
 
 
 def make_template(here: Here) -> str:
