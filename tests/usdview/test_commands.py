@@ -60,6 +60,12 @@ def test_an_edit_is_solved_its_result_shown_muted_and_judged(seat, qt, untouched
     assert said.startswith("Balance: ") and said.endswith(f" at {here.api.frame}, met")
     assert float(qt.field[0]) == here.api.frame.GetValue()
 
+    assert not here.api.dataModel.viewSettings.displayGuide
+    for _ in range(2):
+        assert here.pick("guides") == "drew Reaching; in the session layer"
+        assert here.stage.GetPrimAtPath(f"{EDIT}/LeftWrist/Guides/After")
+    assert here.api.dataModel.viewSettings.displayGuide
+
     assert here.pick("inspect").startswith("1 skeleton, 1 edit, 6 constraints; no faults")
     assert "Reaching_result" in qt.shown[0]
     assert qt.asked == [] and qt.cursors == []
@@ -190,13 +196,14 @@ FAULTS = {
     "jump": ((EDIT,), f"select a constraint; <{EDIT}> is none"),
     "make_template": ((f"{EDIT}/LeftHeel",), "select a MotionContactConstraint; <"),
     "add_position_constraint": ((), "select a prim beside the Skeleton"),
+    "guides": ((), "skating.usda: there is nothing to draw"),
     "to_layer": ((), "there is no Qt to ask for a file with"),
 }
 
 
 @pytest.mark.parametrize("verb", FAULTS)
 def test_a_fault_is_one_sentence_and_changes_nothing(seat, capsys, verb, untouched):
-    here = seat("reaching")
+    here = seat("skating" if verb == "guides" else "reaching")
     paths, sentence = FAULTS[verb]
     assert here.pick(verb, *paths).startswith(sentence)
     assert here.stage.GetSessionLayer().empty

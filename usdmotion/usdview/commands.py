@@ -114,6 +114,14 @@ def jump(here: Here) -> str:
     return f"{leaf(path)}: {amount(worst.error, worst.unit)} at {worst.time_code:g}, {verdict}"
 
 
+def guides(here: Here) -> str:
+    """Draw what was detected, asked, met and missed."""
+    with here.writing() as (say, place):
+        drawn = onstage.guides(here.selection.stage, say=say)
+    here.show_guides()
+    return telling.of_guides(drawn, place)
+
+
 def to_session(here: Here) -> str:
     """Let results go to the session layer."""
     here.desk.destination = destinations.TO_SESSION

@@ -61,6 +61,7 @@ GROUPS = (
             "Go to the frame on which it is missed by most.",
         ),
     ),
+    (Item("guides", "Refresh the Guides", "Draw what was detected, asked, met and missed."),),
 )
 """The commands, with a separator between groups."""
 

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 
 from usdmotion.report import ConstraintReport, Report
 from usdmotion.report.contacts import DetectionReport
+from usdmotion.report.guides import GuidesReport
 from usdmotion.report.wording import amount
 from usdmotion.usd import Inspection
 
@@ -47,6 +48,14 @@ def of_detection(report: DetectionReport, place: str) -> str:
     objects = [leaf(each.object) for each in report.objects]
     told = f"{counted(report.count, 'contact')} on {listed(objects)}; in {place}"
     return noted(told, report.notes)
+
+
+def of_guides(drawn: GuidesReport, place: str) -> str:
+    """Return what was drawn, and where it is."""
+    names = [leaf(name) for edit in drawn.edits for name in edit.missed]
+    missed = f", with {listed(names)} in red" if names else ""
+    edits = listed(leaf(edit.path) for edit in drawn.edits)
+    return noted(f"drew {edits or 'contacts'}{missed}; in {place}", drawn.notes)
 
 
 def noted(told: str, notes: Sequence[str]) -> str:

@@ -107,9 +107,10 @@ def drawn_on(stage: Stage) -> Iterator[None]:
     """
     with _named(stage):
         target = target_of(stage)
-        own = stage.GetEditTargetForLocalLayer(target.layer)
-        with whole_or_not(target.layer), Usd.EditContext(stage, own):
-            yield
+    own = stage.GetEditTargetForLocalLayer(target.layer)
+    with whole_or_not(target.layer), Usd.EditContext(stage, own):
+        yield  # what draws names the stage itself
+        with _named(stage):
             refuse_hidden_guides(target)
 
 
