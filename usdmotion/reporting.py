@@ -1,16 +1,20 @@
 """The report of a shot that was solved: one page, and its pictures as files."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from usdmotion.answering import beside_its_input
+from usdmotion.drawing import strip_picture
 from usdmotion.errors import FileError
 from usdmotion.grounding import Told
 from usdmotion.outcome import Outcome
 from usdmotion.plugins import host
 from usdmotion.report.findings import Findings, findings_of
+from usdmotion.report.moments import telling
 from usdmotion.report.page import Chapter, page
 from usdmotion.report.pictures import drawing, pictures_of, postures_of, require_matplotlib
+from usdmotion.showing import ShownScene, shown
+from usdmotion.showing.poses import poses
 from usdmotion.terminal import write_bytes, write_text
 
 __all__ = ["report", "require_matplotlib", "tell"]
@@ -83,14 +87,26 @@ def tell(
     say("drawing")
     with drawing():
         chapters = [
-            Chapter(found, edit, pictures_of(found, edit), list(postures_of(found, edit)))
-            for found in findings
-            for edit in found.edits
+            chapter
+            for outcome, found in zip(outcomes, findings, strict=True)
+            for chapter in _chapters(found, shown(outcome, found))
         ]
         if png is not None:
             _write_pictures(chapters, png)
         write_text(page(name, chapters), str(output))
     return findings
+
+
+def _chapters(found: Findings, scene: ShownScene) -> Iterator[Chapter]:
+    for edit, seen in zip(found.edits, scene.edits, strict=True):
+        strip = poses(scene, seen, telling(found, edit))
+        yield Chapter(
+            found,
+            edit,
+            pictures_of(found, edit),
+            list(postures_of(found, edit)),
+            strip_picture(strip, name="strip"),
+        )
 
 
 def _write_pictures(chapters: list[Chapter], folder: Path) -> None:
@@ -103,5 +119,6 @@ def _write_pictures(chapters: list[Chapter], folder: Path) -> None:
         path = chapter.edit.edit.path
         name = leaf if leaves.count(leaf) == 1 else path.strip("/").replace("/", "_")
         drawn = [each for group in chapter.pictures.values() for each in group]
-        for picture in (*drawn, *chapter.frames):
+        strip = [] if chapter.strip is None else [chapter.strip]
+        for picture in (*drawn, *chapter.frames, *strip):
             write_bytes(picture.png(), folder / f"{name}.{picture.name}.png")

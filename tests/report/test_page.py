@@ -7,9 +7,12 @@ import numpy as np
 import pytest
 
 from usdmotion import Goal, PositionConstraint
+from usdmotion.drawing import strip_picture
 from usdmotion.report.findings import findings_of
 from usdmotion.report.page import Chapter, page
 from usdmotion.report.pictures import drawing, pictures_of, postures_of
+from usdmotion.showing import shown
+from usdmotion.showing.poses import poses
 from usdmotion.testing import HUMANOID
 
 PICTURES = ("overview", "errors", "changes", "balance", "feet", "jerk")
@@ -22,9 +25,16 @@ def page_of(given, *, bare=True):
     if bare:
         nothing = {name: [] for name in PICTURES}
         return page("shot & co", [Chapter(findings, edit, nothing, []) for edit in findings.edits])
+    seen = shown(given, findings)
     with drawing():
         chapters = [
-            Chapter(findings, edit, pictures_of(findings, edit), [*postures_of(findings, edit)])
+            Chapter(
+                findings,
+                edit,
+                pictures_of(findings, edit),
+                [*postures_of(findings, edit)],
+                strip_picture(poses(seen, seen.edits[0], (0, -1))),
+            )
             for edit in findings.edits
         ]
         return page("shot & co", chapters)
@@ -63,6 +73,7 @@ def test_the_verdict_comes_before_anything_else(outcome):
     said = "1 of 2 constraints is missed, most of all left_wrist: 50.0 mm at "
     assert said in text
     assert text.index(said) < text.index("<table>") < text.index("<svg")
+    assert text.index(said) < text.index('<img alt="The input above,') < text.index("<table>")
     assert "Priority 1" in text and "0 of 1 met" in text and "1 of 1 met" in text
 
 

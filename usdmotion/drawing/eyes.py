@@ -116,3 +116,41 @@ class Perspective:
         """Return how large one metre is in the picture where points are, (…, 3) to (…,)."""
         # What is behind the eye is cut before it is drawn, and must not be divided by nothing.
         return np.asarray(self.focal / np.maximum(-self.near(points), 0.5 * self.clip))
+
+
+@dataclass(frozen=True, eq=False)
+class Placed:
+    """An eye whose picture is put somewhere on a sheet of paper, in points of print."""
+
+    eye: Eye
+    window: Window
+    """Where on the sheet what is shown goes [points]."""
+    scale: float
+    """Points that one unit of the eye's picture is long."""
+    shift: tuple[float, float]
+    """Where the origin of the eye's picture is [points]."""
+
+    @classmethod
+    def at(cls, eye: Eye, window: Window, corner: tuple[float, float], scale: float) -> "Placed":
+        """Return an eye with the lower left corner of a window of its picture put somewhere."""
+        left, bottom, right, top = window
+        x, y = corner
+        place = x, y, x + scale * (right - left), y + scale * (top - bottom)
+        return cls(eye, place, scale, (x - scale * left, y - scale * bottom))
+
+    @property
+    def limit(self) -> float:
+        """What is nearer than this, as `near` has it, is not seen."""
+        return self.eye.limit
+
+    def flat(self, points: Floats) -> Floats:
+        """Return where points are on the sheet [points], (…, 3) to (…, 2)."""
+        return np.asarray(self.scale * self.eye.flat(points) + self.shift)
+
+    def near(self, points: Floats) -> Floats:
+        """Return how near points are [m], (…, 3) to (…,)."""
+        return self.eye.near(points)
+
+    def size(self, points: Floats) -> Floats:
+        """Return how many points of print one metre is where points are, (…, 3) to (…,)."""
+        return np.asarray(self.scale * self.eye.size(points))

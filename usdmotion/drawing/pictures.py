@@ -1,15 +1,16 @@
 """Strips of poses as pictures."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from usdmotion.drawing.eyes import Window
+from usdmotion.drawing.eyes import Placed, Window
 from usdmotion.drawing.framing import size, widened, windows
 from usdmotion.drawing.panels import draw_panel
 from usdmotion.drawing.strips import Row, Strip
 from usdmotion.drawing.style import INK, SOFT, Picture
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 WIDE = 7.4
@@ -46,12 +47,21 @@ def strip_picture(strip: Strip, *, name: str = "strip") -> Picture:
     wide = max(_NARROW, *(scale * width for scale, width, _ in spans))
     heights = [scale * height for scale, _, height in spans]
     drawn = Figure(figsize=(margin + count * (wide + _GAP), sum(heights) + len(heights) * _TITLE))
-    top = drawn.get_figheight()
+    sheet, top = _sheet(drawn), drawn.get_figheight()
     for row, own, scale, height in zip(strip.rows, shown, scales, heights, strict=True):
         top -= _TITLE + height
         framed = [widened(window, wide / scale, height / scale) for window in own]
-        _row(drawn, row, framed, (margin, top, wide, height))
+        _row(sheet, row, framed, (margin, top, wide, height))
     return Picture(name, strip.caption, drawn)
+
+
+def _sheet(drawn: "Figure") -> "Axes":
+    """Return axes that fill a figure, in points of print; many axes would take their time."""
+    wide, tall = drawn.get_size_inches()
+    sheet = drawn.add_axes((0.0, 0.0, 1.0, 1.0))
+    sheet.set(xlim=(0.0, _POINTS * wide), ylim=(0.0, _POINTS * tall), autoscale_on=False)
+    sheet.axis("off")
+    return sheet
 
 
 def _scale(row: Sequence[Window], most: float) -> float:
@@ -60,33 +70,15 @@ def _scale(row: Sequence[Window], most: float) -> float:
     return min(min(most / wide, highest / tall) for wide, tall in map(size, row))
 
 
-def _row(drawn: "Figure", row: Row, shown: Sequence[Window], place: Window) -> None:
+def _row(sheet: "Axes", row: Row, shown: Sequence[Window], place: Window) -> None:
     """Draw a row from a place on: its left, bottom, and width and height of a panel [inches]."""
-    left, bottom, wide, tall = place
-    whole, high = drawn.get_size_inches()
+    left, bottom, wide, tall = (_POINTS * each for each in place)
     if row.title:
-        drawn.text(
-            0.06 / whole,
-            (bottom + 0.5 * tall) / high,
-            row.title,
-            rotation="vertical",
-            ha="left",
-            va="center",
-            fontsize=7.5,
-            color=INK,
-            weight="bold",
-        )
-    for panel, window in zip(row.panels, shown, strict=False):
-        axes = drawn.add_axes((left / whole, bottom / high, wide / whole, tall / high))
-        draw_panel(axes, panel, window, size(window)[0] / (wide * _POINTS))
-        middle = (left + 0.5 * wide) / whole
-        drawn.text(
-            middle,
-            (bottom + tall + 0.03) / high,
-            panel.title,
-            ha="center",
-            va="bottom",
-            fontsize=7.0,
-            color=SOFT,
-        )
-        left += wide + _GAP
+        told: dict[str, Any] = {"rotation": "vertical", "va": "center", "weight": "bold"}
+        sheet.text(4.0, bottom + 0.5 * tall, row.title, fontsize=7.5, color=INK, **told)
+    for panel, window in zip(row.panels, shown, strict=True):
+        eye = Placed.at(panel.eye, window, (left, bottom), wide / size(window)[0])
+        draw_panel(sheet, panel, eye)
+        middle, top = left + 0.5 * wide, bottom + tall + 2.0
+        sheet.text(middle, top, panel.title, ha="center", fontsize=7.0, color=SOFT)
+        left += wide + _POINTS * _GAP

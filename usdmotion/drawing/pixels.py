@@ -9,6 +9,7 @@ from usdmotion.arrays import Ints
 _COLORS = 36
 """Of a picture at most: the fewer, the smaller its file."""
 _BASES = np.array((65536, 256, 1))
+_WHITE = int(_BASES.sum()) * 255
 
 
 def of_few_colors(png: bytes) -> bytes:
@@ -22,9 +23,13 @@ def of_few_colors(png: bytes) -> bytes:
     with Image.open(BytesIO(png)) as opened:
         drawn = opened.convert("RGB")
     pixels = np.asarray(drawn).reshape(-1, 3) @ _BASES
-    found, which, counts = np.unique(pixels, return_inverse=True, return_counts=True)
-    palette, nearest = _palette(found[:, None] // _BASES % 256, counts)
-    few = Image.fromarray(nearest[which].reshape(drawn.height, drawn.width).astype(np.uint8))
+    inked = pixels != _WHITE  # Sorting only those is several times as fast.
+    found, which, counts = np.unique(pixels[inked], return_inverse=True, return_counts=True)
+    colors = np.append(found, _WHITE)[:, None] // _BASES % 256
+    palette, nearest = _palette(colors, np.append(counts, len(pixels)))
+    told = np.full(len(pixels), nearest[-1], dtype=np.uint8)
+    told[inked] = nearest[which]
+    few = Image.fromarray(told.reshape(drawn.height, drawn.width))
     few.putpalette(palette.astype(np.uint8).tobytes())
     held = BytesIO()
     few.save(held, format="png", optimize=True)

@@ -10,6 +10,7 @@ from usdmotion.arrays import Floats
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.transforms import BboxBase
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,20 +55,26 @@ class Polygons:
         widths = np.concatenate([each.widths for each in groups] or [np.zeros(0)])
         return cls([shapes[one] for one in order], near[order], fills, edges, widths[order])
 
-    def draw(self, axes: "Axes", *, order: float) -> None:
-        """Draw them in their order, above and below what else is drawn by its order."""
+    def draw(self, axes: "Axes", *, order: float, clip: "BboxBase | None" = None) -> None:
+        """Draw them from the first to the last.
+
+        Args:
+            axes: Where.
+            order: What else is drawn with a lower one is below them.
+            clip: What is outside of it is not drawn; None draws everything in the axes.
+        """
         from matplotlib.collections import PolyCollection
 
-        axes.add_collection(
-            PolyCollection(
-                self.shapes,
-                facecolors=self.fills,
-                edgecolors=self.edges,
-                linewidths=self.widths,
-                zorder=order,
-            ),
-            autolim=False,
+        drawn = PolyCollection(
+            self.shapes,
+            facecolors=self.fills,
+            edgecolors=self.edges,
+            linewidths=self.widths,
+            zorder=order,
         )
+        axes.add_collection(drawn, autolim=False)
+        if clip is not None:
+            drawn.set_clip_box(clip)
 
 
 def rgb(color: str | tuple[float, float, float], opacity: float = 1.0) -> Floats:

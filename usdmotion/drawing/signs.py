@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from usdmotion.arrays import Floats
+from usdmotion.drawing.eyes import Window
 from usdmotion.drawing.polygons import rgb
 from usdmotion.drawing.strips import Spot
 from usdmotion.drawing.style import INK
@@ -29,31 +30,27 @@ _OVER = 50.0
 """Order of what is drawn above all that is solid."""
 
 
-def draw_spots(
-    axes: "Axes", spots: Sequence[Spot], places: Floats, point: float, size: tuple[float, float]
-) -> None:
+def draw_spots(sheet: "Axes", spots: Sequence[Spot], places: Floats, panel: Window) -> None:
     """Draw signs, and what is said of them.
 
     Args:
-        axes: Where; its lower left corner may be anywhere.
+        sheet: Where, in points of print.
         spots: What is drawn.
-        places: Where each is in the picture, from the lower left corner, shape (count, 2).
-        point: One point of print in the picture.
-        size: Of the panel [points].
+        places: Where each is on the sheet, shape (count, 2).
+        panel: Beyond which nothing is best written.
     """
-    corner = np.array((axes.get_xlim()[0], axes.get_ylim()[0]))
-    taken = [_box(place / point, (0.0, 0.0), (_SIGN, _SIGN)) for place in places]
+    taken = [_box(place, (0.0, 0.0), (_SIGN, _SIGN)) for place in places]
     # What is missed is named first, where there is most room.
     order = sorted(range(len(spots)), key=lambda each: spots[each].sign != "missed")
     for index in order:
         spot, place = spots[index], places[index]
         if spot.sign != "number":
-            _sign(axes, spot, corner + place)
+            _sign(sheet, spot, place)
         if spot.text:
             others = taken[:index] + taken[index + 1 :]
-            offset, box = _room(place / point, spot, others, size)
+            middle, box = _room(place, spot, others, np.array(panel))
             taken.append(box)
-            _write(axes, spot, corner + place, offset)
+            _write(sheet, spot, middle)
 
 
 def _sign(axes: "Axes", spot: Spot, place: Floats) -> None:
@@ -102,14 +99,13 @@ def _quarters() -> "Path":
     return Path.make_compound_path(Path.wedge(0.0, 90.0), Path.wedge(180.0, 270.0))
 
 
-def _write(axes: "Axes", spot: Spot, place: Floats, offset: Floats) -> None:
+def _write(sheet: "Axes", spot: Spot, middle: Floats) -> None:
     from matplotlib.patheffects import withStroke
 
-    axes.annotate(
+    sheet.text(
+        middle[0],
+        middle[1],
         spot.text,
-        (float(place[0]), float(place[1])),
-        xytext=(float(offset[0]), float(offset[1])),
-        textcoords="offset points",
         ha="center",
         va="center",
         fontsize=_TEXT,
@@ -121,9 +117,9 @@ def _write(axes: "Axes", spot: Spot, place: Floats, offset: Floats) -> None:
 
 
 def _room(
-    place: Floats, spot: Spot, taken: Sequence[Floats], size: tuple[float, float]
+    place: Floats, spot: Spot, taken: Sequence[Floats], panel: Floats
 ) -> tuple[Floats, Floats]:
-    """Return how far from its place something is best written, and what it takes [points].
+    """Return where something is best written, and what it takes [points].
 
     It is the first try that is over nothing else, or over the least.
     """
@@ -133,7 +129,6 @@ def _room(
     if spot.sign == "number":
         tries.insert(0, np.zeros(2))
     boxes = [_box(place, offset, half) for offset in tries]
-    panel = np.array((0.0, 0.0, *size))
     losses = [
         sum(_common(box, other) for other in taken)
         + 4.0 * (_area(box) - _common(box, panel))
@@ -141,7 +136,7 @@ def _room(
         for index, box in enumerate(boxes)
     ]
     best = int(np.argmin(losses))
-    return tries[best], boxes[best]
+    return place + tries[best], boxes[best]
 
 
 def _box(

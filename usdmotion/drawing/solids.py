@@ -4,74 +4,79 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.drawing.cutting import beside, halved, in_front, pieces
-from usdmotion.drawing.eyes import Eye, Window
+from usdmotion.drawing.eyes import Placed
 from usdmotion.drawing.polygons import Polygons, over_white, rgb
 from usdmotion.drawing.strips import Curve, Patch, Surface
 
 _DARK = 0.62
 """How bright a surface is that the light does not reach."""
+_PALE = 0.6
+"""How strong the colour is of what goes beyond the panel."""
+_BEHIND = 2.0
+"""How much farther away than it is what things stand on is taken, over the longest edge."""
 _LIFT = 1.5
 """How much nearer than it is what lies on a ground is taken, over the longest edge."""
 
 
-def surface(surface: Surface, eye: Eye, window: Window, up: Floats, longest: float) -> Polygons:
+def surface(surface: Surface, eye: Placed, up: Floats, longest: float) -> Polygons:
     """Return a surface as shaded triangles.
 
     Args:
         surface: What is seen.
-        eye: From where.
-        window: What the picture shows.
+        eye: From where, on its place on the sheet.
         up: Away from the ground, shape (3,).
         longest: Longest edge of a triangle [m].
     """
     corners = in_front(surface.points[surface.triangles], eye)
     flat = eye.flat(corners)
     turned = _turned(flat)
-    seen = ~beside(flat, window) & ((turned != 0.0) if surface.both_sides else (turned > 0.0))
+    seen = ~beside(flat, eye.window) & ((turned != 0.0) if surface.both_sides else (turned > 0.0))
     corners = np.where((turned < 0.0)[:, None, None], corners[:, ::-1], corners)[seen]
-    corners = halved(corners, eye, window, longest)
+    corners = halved(corners, eye, eye.window, longest)
     light = _DARK + (1.0 - _DARK) * _light(corners, eye, up)
     color = rgb(surface.color, surface.opacity)
+    near = eye.near(corners.mean(axis=1))
+    if surface.beyond:
+        # What things stand on is behind them, and paler than they are.
+        near -= _BEHIND * longest
+        color[:3] = 1.0 - _PALE * (1.0 - color[:3])
     fills = np.column_stack([light[:, None] * color[:3], np.full(len(light), color[3])])
-    return Polygons.plain(eye.flat(corners), eye.near(corners.mean(axis=1)), fills)
+    return Polygons.plain(eye.flat(corners), near, fills)
 
 
-def patch(patch: Patch, eye: Eye, window: Window, longest: float) -> Polygons:
+def patch(patch: Patch, eye: Placed, longest: float) -> Polygons:
     """Return a flat area, opaque, over the ground on which it lies.
 
     Args:
         patch: What is seen, its outline convex.
-        eye: From where.
-        window: What the picture shows.
+        eye: From where, on its place on the sheet.
         longest: Longest edge of a triangle [m].
     """
     points = patch.points
     count = max(len(points) - 2, 0)
     fan = np.column_stack([np.zeros(count), np.arange(count) + 1, np.arange(count) + 2])
-    corners = halved(in_front(points[fan.astype(np.int64)], eye), eye, window, longest)
+    corners = halved(in_front(points[fan.astype(np.int64)], eye), eye, eye.window, longest)
     color = over_white(rgb(patch.color, patch.opacity))
     near = eye.near(corners.mean(axis=1)) + _LIFT * longest
     return Polygons.plain(eye.flat(corners), near, color)
 
 
-def curve(curve: Curve, eye: Eye, window: Window, point: float, lift: float) -> Polygons:
+def curve(curve: Curve, eye: Placed, lift: float) -> Polygons:
     """Return a curve as a ribbon of its width, opaque.
 
     Args:
         curve: What is seen.
-        eye: From where.
-        window: What the picture shows.
-        point: One point of print in the picture.
+        eye: From where, on its place on the sheet.
         lift: How much nearer it is taken than it is [m].
     """
     color = over_white(rgb(curve.color, curve.opacity))
     shapes, near = [np.zeros((0, 4, 2))], [np.zeros(0)]
     for run in pieces(curve.points, eye):
-        ribbon, kept = _ribbon(eye.flat(run), 0.5 * curve.width * point)
+        ribbon, kept = _ribbon(eye.flat(run), 0.5 * curve.width)
         shapes.append(ribbon)
         near.append((eye.near(0.5 * (run[1:] + run[:-1])) + lift)[kept])
     drawn = np.concatenate(shapes)
-    seen = ~beside(drawn, window)
+    seen = ~beside(drawn, eye.window)
     return Polygons.plain(drawn[seen], np.concatenate(near)[seen], color)
 
 
@@ -100,7 +105,7 @@ def _turned(flat: Floats) -> Floats:
     return np.asarray(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
 
 
-def _light(corners: Floats, eye: Eye, up: Floats) -> Floats:
+def _light(corners: Floats, eye: Placed, up: Floats) -> Floats:
     """Return how much light triangles get, 0..1, (count, 3, 3) to (count,).
 
     It comes from over the left shoulder of whoever looks.

@@ -1,5 +1,6 @@
 """One file of HTML that tells everything: verdicts first, then pictures, then where it is from."""
 
+from base64 import b64encode
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -21,6 +22,8 @@ class Chapter:
     """By what they show."""
     frames: Sequence[Picture]
     """Postures that are worth looking at."""
+    strip: Picture | None = None
+    """The motion before and after, at the frames that tell it."""
 
 
 _SECTIONS = (
@@ -107,6 +110,8 @@ def _chapter(chapter: Chapter) -> Iterable[str]:
         f'<p class="facts">{len(codes)} frames, {codes[0]:g} to {codes[-1]:g}, '
         f"{float(scene.cast.times[-1]):.2f} s · {escape(edit.record.solver)}</p>"
     )
+    if chapter.strip is not None:
+        yield _pixels(chapter.strip)
     yield from _table(edit)
     yield from map(_figure, chapter.pictures["overview"])
     yield from _effects(effects(edit, scene.up))
@@ -178,6 +183,16 @@ def _row(trace: Trace) -> str:
 
 def _figure(picture: Picture) -> str:
     return f"<figure>{picture.svg()}<figcaption>{escape(picture.caption)}</figcaption></figure>"
+
+
+def _pixels(picture: Picture) -> str:
+    """Return the figure of a picture of many bodies, which is smaller as pixels."""
+    told = escape(picture.caption)
+    data = b64encode(picture.png()).decode()
+    return (
+        f'<figure><img alt="{told}" src="data:image/png;base64,{data}">'
+        f"<figcaption>{told}</figcaption></figure>"
+    )
 
 
 def _origin(edit: EditFindings) -> Iterable[str]:
