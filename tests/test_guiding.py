@@ -1,12 +1,13 @@
 """Guides from file to file: over a shot, a result or a layer, in a file or in the layer itself."""
 
+import json
 import shutil
 from pathlib import Path
 
 import pytest
 from pxr import Sdf, Usd, UsdGeom
 
-from usdmotion import pipeline
+from usdmotion import demos, pipeline
 from usdmotion.errors import FileError, SceneError
 
 EDIT = "/Arm/Skeleton/Edit"
@@ -106,7 +107,19 @@ def test_a_detection_draws_its_contacts_itself_or_all_there_is_into_a_file(arm_s
     pipeline.detect(shot, none, joints=["base"], guides=False)
     pipeline.detect(shot, beside, joints=["base"], guides=file)
     assert content(none) == content(beside) and drawn(none) == []
-    assert drawn(within) and drawn(file)
+    assert drawn(within) and set(drawn(within)) <= set(drawn(file))
+
+
+def test_contacts_of_props_are_drawn_where_nothing_is_asked(tmp_path):
+    shot, found = demos.build("dice", tmp_path), tmp_path / "contacts.usda"
+    pipeline.detect(shot, found, prims=["/Dice/First"], guides=False)
+    report = pipeline.guides(found, tmp_path / "guides.usda")
+    assert report.edits == () and report.contacts > 0
+    assert [each.object for each in report.objects] == ["/Dice/First"]
+    assert json.loads(report.to_json())["objects"][0]["contacts"] == report.contacts
+    with pytest.raises(SceneError, match=r"dice.usda: there is nothing to draw"):
+        pipeline.guides(shot, tmp_path / "more.usda")
+    assert not (tmp_path / "more.usda").exists()
 
 
 def test_nothing_is_written_where_something_is_at_fault(edited, tmp_path):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,11 +11,12 @@ from usdmotion.answering import Say
 from usdmotion.errors import SceneError
 from usdmotion.grounding import Told
 from usdmotion.plugins import host
-from usdmotion.report.guides import EditGuides, GuidesReport
+from usdmotion.report.guides import EditGuides, GuidesReport, ObjectGuides
 from usdmotion.showing import ShownEdit
 from usdmotion.surveying import survey
 
 if TYPE_CHECKING:
+    from usdmotion.guides import ContactMark
     from usdmotion.usd import Draw, Overlay, Stage
 
 
@@ -76,14 +78,19 @@ def guides_over(
 
     seen = survey(stage, path, program="usdmotion.guiding.guides", ground=ground, say=say)
     edits = tuple(_told(edit) for scene in seen.scenes for edit in scene.edits)
-    if not edits:
-        raise SceneError(
-            f"{path}: there is nothing to draw, neither an edit that asks for something nor a "
-            "contact; add constraints to a MotionEdit, or run `usdmotion detect` first"
-        )
     say("drawing")
-    usd.author_guides(stage, seen.scenes)
-    return GuidesReport(edits, seen.notes)
+    try:
+        contacts = usd.read_contact_marks(stage)
+        if not edits and not contacts:
+            raise SceneError(
+                "there is nothing to draw, neither an edit that asks for something nor a contact; "
+                "add constraints to a MotionEdit, or run `usdmotion detect` first"
+            )
+        usd.author_guides(stage, seen.scenes)
+        usd.author_contact_marks(stage, contacts)
+    except SceneError as error:
+        raise SceneError(f"{path}: {error}") from error
+    return GuidesReport(edits, _objects(contacts), seen.notes)
 
 
 def drawing(
@@ -171,3 +178,8 @@ def _told(edit: ShownEdit) -> EditGuides:
         missed=tuple(miss.name for miss in edit.misses),
         balance=edit.balance is not None,
     )
+
+
+def _objects(contacts: Sequence[ContactMark]) -> tuple[ObjectGuides, ...]:
+    counted = Counter(each.object for each in contacts)
+    return tuple(ObjectGuides(name, count) for name, count in counted.items())

@@ -25,23 +25,42 @@ class EditGuides:
 
 
 @dataclass(frozen=True)
+class ObjectGuides:
+    """What was drawn of the contacts of one object."""
+
+    object: str
+    """Path of the joint or the prim."""
+    contacts: int
+
+
+@dataclass(frozen=True)
 class GuidesReport:
     """What was drawn over a stage."""
 
     edits: tuple[EditGuides, ...]
+    objects: tuple[ObjectGuides, ...]
+    """Whose contacts were drawn."""
     notes: tuple[str, ...] = ()
     """One sentence about each thing that whoever asked should know."""
+
+    @property
+    def contacts(self) -> int:
+        """How many contacts were drawn."""
+        return sum(each.contacts for each in self.objects)
 
     def to_json(self) -> str:
         """Return the machine-readable form."""
         return json.dumps(asdict(self), indent=2)
 
     def tables(self) -> Sequence[Table]:
-        """Return what people read: a table of the edits."""
+        """Return what people read: a table of the edits, and one of whose contacts there are."""
         drawn = []
         if self.edits:
             heads = ("edit", "result", "trajectories", "goals", "missed", "centre of mass")
             drawn.append(_table(heads, map(_row, self.edits)))
+        if self.objects:
+            rows = ((each.object, str(each.contacts)) for each in self.objects)
+            drawn.append(_table(("contacts of", "drawn"), rows))
         return drawn
 
 
