@@ -238,6 +238,14 @@ def test_guides_are_drawn_anew_in_the_place_of_what_was_drawn(stage: Usd.Stage) 
     assert onstage.inspect(stage).faults == ()
 
 
+def test_where_there_is_nothing_to_draw_nothing_is_drawn(stage: Usd.Stage) -> None:
+    stage.GetPrimAtPath(EDIT).SetActive(False)
+    before = said(stage)
+    with pytest.raises(SceneError, match=r"^arm\.usda: there is nothing to draw"):
+        onstage.guides(stage)
+    assert said(stage) == before
+
+
 def test_guides_that_others_would_hide_are_not_drawn(stage: Usd.Stage) -> None:
     onstage.guides(stage)
     stage.SetEditTarget(stage.GetRootLayer())

@@ -74,7 +74,9 @@ def _retimed_spline(spline: Ts.Spline, offset: Sdf.LayerOffset) -> Ts.Spline:
     found.SetCurveType(spline.GetCurveType())
     found.SetPreExtrapolation(_slowed(spline.GetPreExtrapolation(), offset.scale))
     found.SetPostExtrapolation(_slowed(spline.GetPostExtrapolation(), offset.scale))
-    if spline.HasInnerLoops():
+    # USD warns of whoever asks for inner loops, so only where there can be some.
+    loops_outside = spline.HasExtrapolatingLoops()
+    if spline.HasLoops() and (not loops_outside or spline.HasInnerLoops()):
         loops = spline.GetInnerLoopParams()
         loops.protoStart, loops.protoEnd = offset * loops.protoStart, offset * loops.protoEnd
         found.SetInnerLoopParams(loops)
