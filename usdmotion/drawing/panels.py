@@ -1,15 +1,15 @@
 """One panel of a strip: the ground, what is solid from far to near, and the signs above it."""
 
 from collections.abc import Iterator
-from dataclasses import replace
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.drawing.bodies import limbs
 from usdmotion.drawing.cutting import pieces
-from usdmotion.drawing.eyes import Placed, Window
+from usdmotion.drawing.eyes import Placed
 from usdmotion.drawing.framing import size
 from usdmotion.drawing.polygons import Polygons, rgb
 from usdmotion.drawing.signs import draw_spots
@@ -34,6 +34,11 @@ _GROUND = 0.5
 """How much nearer a limb is taken than it is, over that edge: it stands on what it touches."""
 
 
+_LARGE, _FINEST = 110.0, 0.45
+"""Height of a body from which on lines and signs are as wide as they say [points], and how much
+thinner they are at most over one that is smaller."""
+
+
 def draw_panel(sheet: "Axes", panel: Panel, eye: Placed) -> None:
     """Draw a panel.
 
@@ -42,110 +47,123 @@ def draw_panel(sheet: "Axes", panel: Panel, eye: Placed) -> None:
         panel: What.
         eye: Its eye, put where the panel is on the sheet.
     """
-    clip = _clip(sheet, eye.window)
-    middle, across = _middle(panel, eye)
-    if panel.ground is not None:
-        _grid(sheet, panel.ground, np.array(panel.up), eye, middle, across, clip)
-    solids = Polygons.together(list(_solids(panel, eye, across)))
-    solids.draw(sheet, order=1.0, clip=clip)
-    _through(sheet, panel, eye, clip)
-    _spots(sheet, panel, eye)
-
-
-def _clip(sheet: "Axes", window: Window) -> "TransformedBbox":
     from matplotlib.transforms import Bbox, TransformedBbox
 
-    return TransformedBbox(Bbox.from_extents(*window), sheet.transData)
+    clip = TransformedBbox(Bbox.from_extents(*eye.window), sheet.transData)
+    _Drawn(sheet, panel, eye, _middle(panel), clip).draw()
 
 
-def _middle(panel: Panel, eye: Placed) -> tuple[Floats, float]:
-    """Return the middle of what there is to be seen [m], and how wide the picture is there [m]."""
+def _middle(panel: Panel) -> Floats:
+    """Return the middle of what there is to be seen [m], shape (3,)."""
     there = [body.pose[0].mean(axis=0) for body in panel.bodies]
     there += [each.points.mean(axis=0) for each in panel.surfaces if not each.beyond]
     there += [each.points.mean(axis=0) for each in panel.surfaces[:1]] if not there else []
-    middle = np.mean(there or [np.zeros(3)], axis=0)
-    return middle, size(eye.window)[0] / float(eye.size(middle))
+    return np.asarray(np.mean(there or [np.zeros(3)], axis=0))
 
 
-def _solids(panel: Panel, eye: Placed, across: float) -> Iterator[Polygons]:
-    """Yield what hides each other in a panel."""
-    up, longest = np.array(panel.up), _SMALL * across
-    for each in panel.surfaces:
-        yield surface(each, eye, up, longest)
-    for body in panel.bodies:
-        yield _body(panel, body, eye, _GROUND * longest)
-    for mark in panel.marks:
-        if isinstance(mark, Patch) and len(mark.points) > 2:
-            yield patch(mark, eye, longest)
-            yield curve(outline(mark), eye, 1.6 * longest)
-        elif isinstance(mark, Curve) and not mark.dashed:
-            # Of two that are at one place the stronger is seen.
-            yield curve(mark, eye, (0.6 + 0.9 * mark.opacity) * longest)
+@dataclass(frozen=True, eq=False)
+class _Drawn:
+    """A panel on its place."""
 
+    sheet: "Axes"
+    panel: Panel
+    eye: Placed
+    middle: Floats
+    """Of what there is to be seen [m]."""
+    clip: "TransformedBbox"
+    """Beyond which nothing is drawn."""
 
-def _body(panel: Panel, body: Body, eye: Placed, lift: float) -> Polygons:
-    """Return the limbs of a body, those of a result before those of an input."""
-    drawn = limbs(body.mannequin, eye, body.pose, body.kind, body.number)
-    kinds = {each.kind for each in panel.bodies}
-    if body.kind != "before" and "before" in kinds:
-        lift += _BEFORE
-    return replace(drawn, near=drawn.near + lift)
+    @property
+    def across(self) -> float:
+        """How wide the picture is in the middle [m]."""
+        return size(self.eye.window)[0] / float(self.eye.size(self.middle))
 
+    @property
+    def fineness(self) -> float:
+        """How wide lines and signs are, over how wide they say they are."""
+        heights = [body.mannequin.height for body in self.panel.bodies]
+        tall = max(heights, default=np.inf) * float(self.eye.size(self.middle))
+        return float(np.clip(tall / _LARGE, _FINEST, 1.0))
 
-def _through(sheet: "Axes", panel: Panel, eye: Placed, clip: "TransformedBbox") -> None:
-    """Draw curves, pale where something hides them, that are not drawn among what is solid."""
-    from matplotlib.collections import LineCollection
+    def draw(self) -> None:
+        """Draw the ground, what is solid, curves through that, and signs."""
+        if self.panel.ground is not None:
+            self._lines(self._grid(self.panel.ground), 0.0, colors=_GRID, linewidths=0.6)
+        solids = Polygons.together(list(self._solids()))
+        solids.draw(self.sheet, order=1.0, clip=self.clip, fineness=self.fineness)
+        self._through()
+        self._spots()
 
-    for dashed in (False, True):
-        curves = [m for m in panel.marks if isinstance(m, Curve) and m.dashed == dashed]
-        runs = [(eye.flat(run), curve) for curve in curves for run in pieces(curve.points, eye)]
-        part = 1.0 if dashed else _THROUGH
-        drawn = LineCollection(
-            [run for run, _ in runs],
-            colors=[tuple(rgb(curve.color, part * curve.opacity)) for _, curve in runs],
-            linewidths=[curve.width for _, curve in runs],
-            linestyles=(0.0, (2.5, 1.8)) if dashed else "solid",
-            zorder=2.0,
-        )
-        sheet.add_collection(drawn, autolim=False)
-        drawn.set_clip_box(clip)
+    def _solids(self) -> Iterator[Polygons]:
+        """Yield what hides each other."""
+        panel, eye = self.panel, self.eye
+        up, longest, fineness = np.array(panel.up), _SMALL * self.across, self.fineness
+        for each in panel.surfaces:
+            yield surface(each, eye, up, longest)
+        for body in panel.bodies:
+            yield self._body(body, _GROUND * longest)
+        for mark in panel.marks:
+            if isinstance(mark, Patch) and len(mark.points) > 2:
+                yield patch(mark, eye, longest)
+                yield curve(outline(mark), eye, fineness, 1.6 * longest)
+            elif isinstance(mark, Curve) and not mark.dashed:
+                # Of two that are at one place the stronger is seen.
+                yield curve(mark, eye, fineness, (0.6 + 0.9 * mark.opacity) * longest)
 
+    def _body(self, body: Body, lift: float) -> Polygons:
+        """Return the limbs of a body, those of a result before those of an input."""
+        drawn = limbs(body.mannequin, self.eye, body.pose, body.kind, body.number)
+        kinds = {each.kind for each in self.panel.bodies}
+        if body.kind != "before" and "before" in kinds:
+            lift += _BEFORE
+        return replace(drawn, near=drawn.near + lift)
 
-def _spots(sheet: "Axes", panel: Panel, eye: Placed) -> None:
-    """Draw the signs of a panel, those left out that are behind the eye or beside the picture."""
-    spots = [mark for mark in panel.marks if isinstance(mark, Spot)]
-    if not spots:
-        return
-    there = np.array([spot.point for spot in spots])
-    places = eye.flat(there)
-    left, bottom, right, top = eye.window
-    inside = ((places >= (left, bottom)) & (places <= (right, top))).all(axis=1)
-    seen = np.flatnonzero(inside & (eye.near(there) < eye.limit))
-    draw_spots(sheet, [spots[index] for index in seen], places[seen], eye.window)
+    def _through(self) -> None:
+        """Draw curves, pale where something hides them, that are not among what is solid."""
+        for dashed in (False, True):
+            curves = [m for m in self.panel.marks if isinstance(m, Curve) and m.dashed == dashed]
+            runs = [
+                (self.eye.flat(run), each)
+                for each in curves
+                for run in pieces(each.points, self.eye)
+            ]
+            part = 1.0 if dashed else _THROUGH
+            self._lines(
+                [run for run, _ in runs],
+                2.0,
+                colors=[tuple(rgb(each.color, part * each.opacity)) for _, each in runs],
+                linewidths=[self.fineness * each.width for _, each in runs],
+                linestyles=(0.0, (2.5, 1.8)) if dashed else "solid",
+            )
 
+    def _spots(self) -> None:
+        """Draw signs, those left out that are behind the eye or beside the picture."""
+        spots = [mark for mark in self.panel.marks if isinstance(mark, Spot)]
+        there = np.array([spot.point for spot in spots]).reshape(-1, 3)
+        places = self.eye.flat(there)
+        left, bottom, right, top = self.eye.window
+        inside = ((places >= (left, bottom)) & (places <= (right, top))).all(axis=1)
+        seen = np.flatnonzero(inside & (self.eye.near(there) < self.eye.limit))
+        shown = [spots[index] for index in seen]
+        draw_spots(self.sheet, shown, places[seen], self.eye.window, self.fineness)
 
-def _grid(
-    sheet: "Axes",
-    level: float,
-    up: Floats,
-    eye: Placed,
-    middle: Floats,
-    across: float,
-    clip: "TransformedBbox",
-) -> None:
-    """Draw squares on level ground under the middle of a panel."""
-    from matplotlib.collections import LineCollection
+    def _grid(self, level: float) -> list[Floats]:
+        """Return squares on level ground under the middle, as lines."""
+        up, middle = np.array(self.panel.up), self.middle
+        count = min(int(np.ceil(0.75 * self.across / _SQUARE)) + 1, _MOST_SQUARES)
+        first, second = (np.eye(3)[each] for each in np.argsort(np.abs(up), kind="stable")[:2])
+        steps = _SQUARE * np.arange(-count, count + 1)
+        lines = []
+        for along, aside in ((first, second), (second, first)):
+            start, beside = (_SQUARE * np.round(middle @ way / _SQUARE) for way in (along, aside))
+            for step in steps:
+                line = (start + steps)[:, None] * along + (beside + step) * aside + level * up
+                lines += [self.eye.flat(run) for run in pieces(line, self.eye)]
+        return lines
 
-    count = min(int(np.ceil(0.75 * across / _SQUARE)) + 1, _MOST_SQUARES)
-    first, second = (np.eye(3)[each] for each in np.argsort(np.abs(up), kind="stable")[:2])
-    corner = (np.round(middle @ first / _SQUARE), np.round(middle @ second / _SQUARE))
-    steps = _SQUARE * np.arange(-count, count + 1)
-    lines = []
-    for along, aside, start in ((first, second, corner), (second, first, corner[::-1])):
-        for step in steps:
-            way = (_SQUARE * start[0] + steps)[:, None] * along
-            line = way + (_SQUARE * start[1] + step) * aside + level * up
-            lines += [eye.flat(run) for run in pieces(line, eye)]
-    drawn = LineCollection(lines, colors=_GRID, linewidths=0.6, zorder=0.0)
-    sheet.add_collection(drawn, autolim=False)
-    drawn.set_clip_box(clip)
+    def _lines(self, lines: list[Floats], order: float, **said: Any) -> None:
+        from matplotlib.collections import LineCollection
+
+        drawn = LineCollection(lines, zorder=order, **said)
+        self.sheet.add_collection(drawn, autolim=False)
+        drawn.set_clip_box(self.clip)

@@ -55,13 +55,21 @@ class Polygons:
         widths = np.concatenate([each.widths for each in groups] or [np.zeros(0)])
         return cls([shapes[one] for one in order], near[order], fills, edges, widths[order])
 
-    def draw(self, axes: "Axes", *, order: float, clip: "BboxBase | None" = None) -> None:
+    def draw(
+        self,
+        axes: "Axes",
+        *,
+        order: float,
+        clip: "BboxBase | None" = None,
+        fineness: float = 1.0,
+    ) -> None:
         """Draw them from the first to the last.
 
         Args:
             axes: Where.
             order: What else is drawn with a lower one is below them.
             clip: What is outside of it is not drawn; None draws everything in the axes.
+            fineness: How wide outlines are, over how wide they say they are.
         """
         from matplotlib.collections import PolyCollection
 
@@ -69,7 +77,7 @@ class Polygons:
             self.shapes,
             facecolors=self.fills,
             edgecolors=self.edges,
-            linewidths=self.widths,
+            linewidths=fineness * self.widths,
             zorder=order,
         )
         axes.add_collection(drawn, autolim=False)

@@ -30,7 +30,9 @@ _OVER = 50.0
 """Order of what is drawn above all that is solid."""
 
 
-def draw_spots(sheet: "Axes", spots: Sequence[Spot], places: Floats, panel: Window) -> None:
+def draw_spots(
+    sheet: "Axes", spots: Sequence[Spot], places: Floats, panel: Window, fineness: float
+) -> None:
     """Draw signs, and what is said of them.
 
     Args:
@@ -38,6 +40,7 @@ def draw_spots(sheet: "Axes", spots: Sequence[Spot], places: Floats, panel: Wind
         spots: What is drawn.
         places: Where each is on the sheet, shape (count, 2).
         panel: Beyond which nothing is best written.
+        fineness: How large signs are, over what they are at most.
     """
     taken = [_box(place, (0.0, 0.0), (_SIGN, _SIGN)) for place in places]
     # What is missed is named first, where there is most room.
@@ -45,7 +48,7 @@ def draw_spots(sheet: "Axes", spots: Sequence[Spot], places: Floats, panel: Wind
     for index in order:
         spot, place = spots[index], places[index]
         if spot.sign != "number":
-            _sign(sheet, spot, place)
+            _sign(sheet, spot, place, fineness)
         if spot.text:
             others = taken[:index] + taken[index + 1 :]
             middle, box = _room(place, spot, others, np.array(panel))
@@ -53,20 +56,21 @@ def draw_spots(sheet: "Axes", spots: Sequence[Spot], places: Floats, panel: Wind
             _write(sheet, spot, middle)
 
 
-def _sign(axes: "Axes", spot: Spot, place: Floats) -> None:
+def _sign(axes: "Axes", spot: Spot, place: Floats, fine: float) -> None:
     """Draw the sign of a place."""
-    color, kind = rgb(spot.color, spot.opacity), spot.sign
+    color, kind, white = rgb(spot.color, spot.opacity), spot.sign, rgb("white", spot.opacity)
     if kind == "held":
-        _mark(axes, place, "o", 3.4, face=color, edge=rgb("white", spot.opacity), width=0.6)
+        _mark(axes, place, "o", 3.4 * fine, face=color, edge=white, width=0.6 * fine)
     elif kind == "mass":
-        _mark(axes, place, "o", 8.0, face=rgb("white"), edge=rgb("white"), width=1.6)
-        _mark(axes, place, "o", 8.0, face=rgb("white"), edge=color, width=0.9)
-        _mark(axes, place, _quarters(), 8.0, face=color, edge=color, width=0.0)
+        _mark(axes, place, "o", 8.0 * fine, face=white, edge=white, width=1.6 * fine)
+        _mark(axes, place, "o", 8.0 * fine, face=white, edge=color, width=0.9 * fine)
+        _mark(axes, place, _quarters(), 8.0 * fine, face=color, edge=color, width=0.0)
     else:
-        large = 8.5 if kind == "missed" else 7.5
+        # What is missed has to be seen.
+        large = 8.5 * max(fine, 0.7) if kind == "missed" else 7.5 * fine
         for edge, width in ((rgb("white", 0.8 * spot.opacity), 2.4), (color, 1.1)):
-            _mark(axes, place, "o", large, face="none", edge=edge, width=width)
-            _mark(axes, place, "+", 1.5 * large, face="none", edge=edge, width=width)
+            _mark(axes, place, "o", large, face="none", edge=edge, width=width * fine)
+            _mark(axes, place, "+", 1.5 * large, face="none", edge=edge, width=width * fine)
 
 
 def _mark(

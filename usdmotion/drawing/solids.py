@@ -61,18 +61,19 @@ def patch(patch: Patch, eye: Placed, longest: float) -> Polygons:
     return Polygons.plain(eye.flat(corners), near, color)
 
 
-def curve(curve: Curve, eye: Placed, lift: float) -> Polygons:
+def curve(curve: Curve, eye: Placed, fineness: float, lift: float) -> Polygons:
     """Return a curve as a ribbon of its width, opaque.
 
     Args:
         curve: What is seen.
         eye: From where, on its place on the sheet.
+        fineness: How wide it is, over how wide it says it is.
         lift: How much nearer it is taken than it is [m].
     """
     color = over_white(rgb(curve.color, curve.opacity))
     shapes, near = [np.zeros((0, 4, 2))], [np.zeros(0)]
     for run in pieces(curve.points, eye):
-        ribbon, kept = _ribbon(eye.flat(run), 0.5 * curve.width)
+        ribbon, kept = _ribbon(eye.flat(run), 0.5 * fineness * curve.width)
         shapes.append(ribbon)
         near.append((eye.near(0.5 * (run[1:] + run[:-1])) + lift)[kept])
     drawn = np.concatenate(shapes)
