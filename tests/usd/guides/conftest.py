@@ -5,12 +5,7 @@ from pathlib import Path
 import pytest
 from pxr import Sdf, Usd
 
-from usdmotion import demos, pipeline
-from usdmotion.plugins import host
-from usdmotion.showing import shown
-from usdmotion.usd.guides import author_guides
-from usdmotion.usd.outcomes import outcomes_of
-from usdmotion.usd.overlays import Overlay
+from usdmotion import demos, guiding, pipeline
 
 DICE = ("/Dice/First", "/Dice/Second")
 FEET = ("LeftFoot", "RightFoot")
@@ -110,25 +105,36 @@ def guided(tmp_path_factory):
 
     def run(shot: Path) -> Usd.Stage:
         output = tmp_path_factory.mktemp("guided") / "guides.usda"
-        overlay = Overlay.open(shot, output)
-        outcomes = outcomes_of(overlay.stage, shot, host().constraints)
-        author_guides(overlay.stage, [shown(outcome) for outcome in outcomes])
-        overlay.write()
+        guiding.guides(shot, output)
         return Usd.Stage.Open(str(output))
 
     return run
 
 
 @pytest.fixture(scope="session")
-def reached(tmp_path_factory):
+def solved(tmp_path_factory):
+    """Return what solves a stage, and gives the stage with the result."""
+
+    def run(shot: Path) -> Path:
+        folder = tmp_path_factory.mktemp("solved")
+        pipeline.solve(shot, folder / "edit.usda", compose=folder / "composed.usda")
+        return folder / "composed.usda"
+
+    return run
+
+
+@pytest.fixture(scope="session")
+def reached(walk_shot, solved):
     """Return the stage of `reaching` with its result."""
-    folder = tmp_path_factory.mktemp("reached")
-    shot = demos.build("reaching", folder)
-    composed = folder / "composed.usda"
-    pipeline.solve(shot, folder / "edit.usda", compose=composed)
-    return composed
+    return solved(walk_shot.parent / "reaching.usda")
 
 
 @pytest.fixture(scope="session")
 def reaching(reached, guided):
     return guided(reached)
+
+
+@pytest.fixture(scope="session")
+def carried(walk_shot, solved, guided):
+    """Return the same walker while he is carried about, at half his size."""
+    return guided(solved(walk_shot))

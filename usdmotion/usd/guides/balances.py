@@ -56,7 +56,7 @@ def _draw_center(page: Page, owner: str, places: Floats) -> Sdf.PrimSpec:
 def _draw_area(page: Page, prim: Sdf.PrimSpec, area: SupportGuide) -> None:
     corners = _in_stretches(page, area, area.corners / page.unit)
     count = area.corners.shape[1]
-    author_mesh(prim, corners, [count], range(count), page.near)
+    author_mesh(prim, corners, [count], range(count), page.width(_MARGIN))
     set_value(prim, "doubleSided", Sdf.ValueTypeNames.Bool, True)
     author_color(prim, _GROUND)
     author_opacity(prim, _AREA)
