@@ -141,7 +141,7 @@ def test_a_binding_in_a_stronger_layer_is_told_and_nothing_is_written(stage: Usd
     binding.SetTargets(binding.GetTargets())
     stage.SetEditTarget(stage.GetRootLayer())
     before = said(stage)
-    with pytest.raises(SceneError, match=r"is authored in .*session\.usda, which is stronger"):
+    with pytest.raises(SceneError, match="is authored in the session layer, which is stronger"):
         onstage.solve(stage)
     assert said(stage) == before
 

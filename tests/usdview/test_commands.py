@@ -190,6 +190,26 @@ def test_results_go_where_somebody_wants(seat, qt, tmp_path, untouched):
     assert [each.checked for each in marks] == [True, False, False]
 
 
+def test_results_of_the_session_go_along_to_a_file(seat, qt, tmp_path, untouched):
+    here, file = seat("reaching"), tmp_path / "results.usda"
+    reach = here.stage.GetPrimAtPath(f"{EDIT}/LeftWrist/Reach").GetAttribute("xformOp:translate")
+    here.pick("solve")
+
+    qt.answer, qt.cancels = str(file), True
+    assert here.pick("to_layer") == f"results go to {file}, which is over the stage"
+    reach.Set((60.0, 95.0, 420.0))
+    hidden = here.pick("solve")
+    assert "is authored in the session layer, which is stronger" in hidden
+
+    qt.cancels = False
+    said = here.pick("to_layer")
+    assert said == f"results go to {file}, which is over the stage, with what the session layer had"
+    assert here.stage.GetSessionLayer().subLayerPaths and not here.stage.GetSessionLayer().rootPrims
+    assert bound(here) == f"{EDIT}_result" and tuple(reach.Get()) == (60.0, 95.0, 420.0)
+    assert Sdf.Layer.OpenAsAnonymous(str(file)).GetPrimAtPath(f"{EDIT}_result")
+    assert here.pick("solve").endswith(f"in {file}")
+
+
 FAULTS = {
     "report": ((), "reaching.usda: there is no result of a MotionEdit; solve it first"),
     "show": ((), "reaching.usda: <"),

@@ -39,7 +39,7 @@ def test_the_session_layer_at_first(stage):
 
 def test_the_edit_target_that_is_set(stage):
     stage.SetEditTarget(stage.GetRootLayer())
-    assert edit(stage, Desk(destination="to_target")) == "the edit target shot.usda"
+    assert edit(stage, Desk(destination="to_target")) == "shot.usda"
     assert has_it(stage.GetRootLayer()) and not has_it(stage.GetSessionLayer())
 
 

@@ -35,6 +35,17 @@ def test_nobody_can_be_asked_without_qt(api):
         Window(api).choose_file("Where?", "/", (".usda",))
 
 
+def test_a_question_is_answered(api, qt):
+    assert Window(api).confirm("Really?")
+    qt.cancels = True
+    assert not Window(api).confirm("Really?")
+    assert qt.asked == ["Really?", "Really?"]
+
+
+def test_a_question_that_nobody_hears_is_answered_by_no(api):
+    assert not Window(api).confirm("Really?")
+
+
 def test_a_file_is_chosen(api, qt):
     qt.answer = "/there/results.usda"
     assert Window(api).choose_file("Where?", "/there", (".usda", ".usdc")) == "/there/results.usda"

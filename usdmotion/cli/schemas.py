@@ -27,7 +27,7 @@ def schema_env() -> None:
 
 @schema.command("check", epilog="Example: usdmotion schema check")
 def schema_check() -> None:
-    """Tell whether this USD knows the schema; status 2 where it does not."""
+    """Tell whether this USD knows the schema, and usdview the menu; status 2 where not."""
     from usdmotion.plugins import host
     from usdmotion.usd import registration
 

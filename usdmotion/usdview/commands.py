@@ -13,6 +13,7 @@ from usdmotion.asking import Asked
 from usdmotion.errors import SceneError
 from usdmotion.report.wording import amount
 from usdmotion.terminal import rendered, table, tables
+from usdmotion.usd.drafts import called
 from usdmotion.usd.layers import SUFFIXES
 from usdmotion.usd.relations import joints_of
 from usdmotion.usdview import destinations, telling
@@ -131,19 +132,26 @@ def to_session(here: Here) -> str:
 def to_target(here: Here) -> str:
     """Let results go to the edit target that is set."""
     here.desk.destination = destinations.TO_TARGET
-    name = here.selection.stage.GetEditTarget().GetLayer().GetDisplayName()
-    return f"results go to the edit target, which is {name} now"
+    stage = here.selection.stage
+    target = called(stage.GetEditTarget().GetLayer(), stage)
+    return f"results go to the edit target, which is {target} now"
 
 
 def to_layer(here: Here) -> str:
-    """Let results go to a file, which is put over the stage."""
+    """Let results go to a file, which is put over the stage, and those that are there as well."""
     stage = here.selection.stage
     beside = Path(here.desk.layer or stage.GetRootLayer().realPath or "shot.usda").parent
     path = here.window.choose_file("Results go to", str(beside), SUFFIXES)
     path = path if Path(path).suffix else f"{path}.usda"
     layer = destinations.put_over(stage, path)
     here.desk.destination, here.desk.layer = destinations.TO_LAYER, path
-    return f"results go to {layer.realPath}, which is over the stage"
+    along = bool(stage.GetSessionLayer().rootPrims) and here.window.confirm(
+        "The session layer would hide what goes to the file. Move all that it says of prims there?"
+    )
+    if along:
+        destinations.take_along(stage, layer)
+    more = ", with what the session layer had" if along else ""
+    return f"results go to {layer.realPath}, which is over the stage{more}"
 
 
 def _asked_joint(here: Here, skeleton: str) -> str:

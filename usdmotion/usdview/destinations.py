@@ -8,6 +8,7 @@ from pathlib import Path
 from pxr import Sdf, Tf, Usd
 
 from usdmotion.errors import FileError
+from usdmotion.usd.drafts import called, move_prims
 from usdmotion.usd.layers import new_layer, require_writable, save, without_false_alarms
 from usdmotion.usd.stages import read_facts, reason
 from usdmotion.usdview.running import Desk
@@ -25,7 +26,7 @@ def destination(stage: Usd.Stage, desk: Desk) -> Iterator[str]:
         FileError: It cannot be read or written.
     """
     if desk.destination == TO_TARGET:
-        yield f"the edit target {stage.GetEditTarget().GetLayer().GetDisplayName()}"
+        yield called(stage.GetEditTarget().GetLayer(), stage)
         return
     own = desk.destination == TO_LAYER
     layer = put_over(stage, desk.layer) if own else stage.GetSessionLayer()
@@ -33,6 +34,16 @@ def destination(stage: Usd.Stage, desk: Desk) -> Iterator[str]:
         yield layer.realPath if own else "the session layer"
     if own:
         _save(layer)
+
+
+def take_along(stage: Usd.Stage, layer: Sdf.Layer) -> None:
+    """Move what the session layer says of prims to a layer that results go to, and save that.
+
+    Raises:
+        FileError: It cannot be written.
+    """
+    move_prims(stage, stage.GetSessionLayer(), layer)
+    _save(layer)
 
 
 def put_over(stage: Usd.Stage, path: str) -> Sdf.Layer:

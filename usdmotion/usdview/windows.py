@@ -85,6 +85,14 @@ class Window:
             raise Cancelled
         return list(names).index(dialog.textValue())
 
+    def confirm(self, question: str) -> bool:
+        """Ask for Yes or No; without Qt it is No."""
+        qt = _qt()
+        if qt is None:
+            return False
+        box = qt.QtWidgets.QMessageBox
+        return bool(box.question(self._api.qMainWindow, TITLE, question) == box.Yes)
+
     def choose_file(self, question: str, folder: str, endings: Sequence[str]) -> str:
         """Ask for a file to write, which may be there already.
 

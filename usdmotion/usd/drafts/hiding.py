@@ -6,7 +6,7 @@ from pxr import Sdf
 
 from usdmotion.errors import SceneError
 from usdmotion.usd.drafts.merging import VALUES
-from usdmotion.usd.drafts.targets import Target
+from usdmotion.usd.drafts.targets import Target, called
 from usdmotion.usd.drawn import is_home_spec
 
 _FIELDS = ("active", "typeName")
@@ -47,9 +47,9 @@ def refuse_hidden_guides(target: Target) -> None:
 
 def _is_hidden(path: Sdf.Path, layer: Sdf.Layer, target: Target) -> SceneError:
     return SceneError(
-        f"<{path}> is authored in {layer.GetDisplayName() or layer.identifier}, which is stronger "
-        f"than the edit target {target.layer.GetDisplayName() or target.layer.identifier} and "
-        "would hide what is written there; clear it, or make the stronger layer the edit target"
+        f"<{path}> is authored in {called(layer, target.stage)}, which is stronger than the edit "
+        f"target {called(target.layer, target.stage)} and would hide what is written there; clear "
+        "it, or make the stronger layer the edit target"
     )
 
 

@@ -16,6 +16,7 @@ class Target:
     """From its time codes to those of the stage."""
     stronger: tuple[Sdf.Layer, ...]
     """The layers whose opinions win over those of this one, the strongest first."""
+    stage: Usd.Stage
 
 
 def target_of(stage: Usd.Stage) -> Target:
@@ -30,7 +31,7 @@ def target_of(stage: Usd.Stage) -> Target:
     layer = chosen.GetLayer()
     if not chosen.IsValid() or not layer:
         raise SceneError("there is no edit target; choose one of the stage's layers")
-    name = layer.GetDisplayName() or layer.identifier
+    name = called(layer, stage)
     if stage.IsLayerMuted(layer.identifier):
         raise SceneError(f"the edit target {name} is muted; unmute it, or choose another layer")
     layers = stage.GetLayerStack()
@@ -41,7 +42,14 @@ def target_of(stage: Usd.Stage) -> Target:
         )
     if not layer.permissionToEdit:
         raise SceneError(f"the edit target {name} must not be edited; choose another layer")
-    return Target(layer, offset_of(stage, layer), tuple(layers[: layers.index(layer)]))
+    return Target(layer, offset_of(stage, layer), tuple(layers[: layers.index(layer)]), stage)
+
+
+def called(layer: Sdf.Layer, stage: Usd.Stage) -> str:
+    """Return how people call a layer of a stage."""
+    if layer == stage.GetSessionLayer():
+        return "the session layer"
+    return str(layer.GetDisplayName() or layer.identifier)
 
 
 def offset_of(stage: Usd.Stage, layer: Sdf.Layer) -> Sdf.LayerOffset:

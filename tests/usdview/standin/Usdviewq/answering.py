@@ -41,6 +41,13 @@ class QMessageBox:
     def warning(cls, parent, title, text):
         cls.somebody.asked.append(text)
 
+    Yes, No = "yes", "no"
+
+    @classmethod
+    def question(cls, parent, title, text):
+        cls.somebody.asked.append(text)
+        return "no" if cls.somebody.cancels else "yes"
+
 
 class QInputDialog:
     UseListViewForComboBoxItems = "list"
