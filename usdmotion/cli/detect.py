@@ -6,7 +6,7 @@ import typer
 
 from usdmotion.arguments import beside, duration_of, names_of, options_of, template_of
 from usdmotion.cli.application import app
-from usdmotion.cli.drawing import Drawing, Guides, file_of
+from usdmotion.cli.drawing import Drawing, file_of
 from usdmotion.cli.flags import DetectorName, Json, Options, Output, Quiet, Source, Templates
 from usdmotion.errors import OptionError
 from usdmotion.terminal import Terminal
@@ -29,6 +29,14 @@ Minimum = Annotated[
     float | None, typer.Option(metavar="SECONDS", help="Drop contacts that last for less.")
 ]
 Edit = Annotated[str, typer.Option(metavar="PATH", help="Look at the skeleton of this edit only.")]
+Guides = Annotated[
+    str | None,
+    typer.Option(
+        "--guides",
+        metavar="[FILE]",
+        help="Draw contacts in the layer, as it does anyway, or all there is to see in FILE.",
+    ),
+]
 NoGuides = Annotated[bool, typer.Option("--no-guides", help="Draw no contacts to look at.")]
 
 
