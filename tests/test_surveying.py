@@ -61,3 +61,17 @@ def test_edits_of_one_skeleton_are_seen_side_by_side(arm_shot):
     constraint.GetAttribute("usdmotion:joint").Set(other.GetAttribute("usdmotion:joint").Get())
     found = survey(stage, path, program="nobody").scenes
     assert [edit.path for scene in found for edit in scene.edits] == [EDIT, "/Arm/Skeleton/Other"]
+
+
+def test_an_edit_at_fault_does_not_hide_the_others(arm_shot, composed):
+    stage = Usd.Stage.Open(str(composed))
+    for name, joint in (("Good", "base"), ("Bad", "knee")):
+        stage.DefinePrim(f"/Arm/Skeleton/{name}", "MotionEdit")
+        wanted = stage.DefinePrim(f"/Arm/Skeleton/{name}/Hold", "MotionPositionConstraint")
+        wanted.GetAttribute("usdmotion:joint").Set(joint)
+    found = survey(stage, composed, program="nobody")
+    names = [edit.path.rsplit("/", 1)[-1] for scene in found.scenes for edit in scene.edits]
+    assert names == ["Edit", "Good"]
+    (fault,) = found.faults
+    assert fault.startswith("what </Arm/Skeleton/Bad> asks is not seen: ") and "knee" in fault
+    assert found.notes == found.faults

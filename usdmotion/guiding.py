@@ -19,6 +19,11 @@ if TYPE_CHECKING:
     from usdmotion.guides import ContactMark
     from usdmotion.usd import Draw, Overlay, Stage
 
+_NOTHING = (
+    "there is nothing to draw, neither an edit that asks for something nor a contact; add "
+    "constraints to a MotionEdit, or run `usdmotion detect` first"
+)
+
 
 def guides(
     result: Path,
@@ -82,10 +87,7 @@ def guides_over(
     try:
         contacts = usd.read_contact_marks(stage)
         if not edits and not contacts:
-            raise SceneError(
-                "there is nothing to draw, neither an edit that asks for something nor a contact; "
-                "add constraints to a MotionEdit, or run `usdmotion detect` first"
-            )
+            raise SceneError(seen.faults[0] if seen.faults else _NOTHING)
         usd.author_guides(stage, seen.scenes)
         usd.author_contact_marks(stage, contacts)
     except SceneError as error:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -24,8 +24,10 @@ class Survey:
 
     scenes: tuple[ShownScene, ...]
     """First those that are solved; none on a stage on which nothing is asked."""
+    faults: tuple[str, ...]
+    """Why an edit that nobody solved is not seen, one sentence each."""
     notes: tuple[str, ...]
-    """One sentence about each thing that whoever looks should know."""
+    """One sentence about each thing that whoever looks should know, faults included."""
 
 
 def survey(
@@ -39,7 +41,7 @@ def survey(
     """Return what there is to see of a stage as it stands.
 
     Edits that have a result are seen with it, beside the input that it was made from; others as
-    they ask, with the motion that they would start from.
+    they ask, with the motion that they would start from. One of these that is at fault is left out.
 
     Args:
         stage: The stage.
@@ -49,7 +51,7 @@ def survey(
         say: Is told what is being done.
 
     Raises:
-        InputError: An edit is at fault, or a result does not fit its edit.
+        InputError: An edit that is solved is at fault, or its result does not fit it.
     """
     from usdmotion import usd
 
@@ -58,14 +60,31 @@ def survey(
     say("measuring")
     inputs = [beside_its_input(each, ground, path, program) for each in outcomes]
     scenes = [shown(each) for each in inputs]
+    faults: list[str] = []
     for group in usd.unsolved_edits(stage, solved):
-        read = usd.read_stage(stage, path, edits=group, frames=None, cleaning=None, kinds=kinds)
-        try:
-            scenes += [shown_before(each) for each in read.scenes]
-        except SceneError as error:
-            raise SceneError(f"{path}: {error}") from error
-    notes = (note for each in outcomes for note in _notes(each))
-    return Survey(tuple(scenes), tuple(dict.fromkeys(notes)))
+        asked, wrong = _asked(stage, path, group)
+        scenes += asked
+        faults += wrong
+    told = (note for each in outcomes for note in _notes(each))
+    return Survey(tuple(scenes), tuple(faults), tuple(dict.fromkeys((*told, *faults))))
+
+
+def _asked(stage: Stage, path: Path, edits: Sequence[str]) -> tuple[list[ShownScene], list[str]]:
+    """Return what some edits ask, and what is wrong with those that cannot be read."""
+    from usdmotion import usd
+
+    kinds = host().constraints
+    try:
+        read = usd.read_stage(stage, path, edits=edits, frames=None, cleaning=None, kinds=kinds)
+        return [shown_before(each) for each in read.scenes], []
+    except SceneError as error:
+        if len(edits) == 1:
+            reason = str(error).removeprefix(f"{path}: ")
+            return [], [f"what <{edits[0]}> asks is not seen: {reason}"]
+    alone = [_asked(stage, path, [each]) for each in edits]
+    return [one for scenes, _ in alone for one in scenes], [
+        one for _, all_ in alone for one in all_
+    ]
 
 
 def _notes(outcome: Outcome) -> Iterator[str]:
