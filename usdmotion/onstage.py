@@ -2,6 +2,7 @@
 
 The stage may have changes that nobody has saved, and layers that are in memory only. Each verb
 makes all of what it makes first and writes it in one change, or raises and changes nothing.
+Importing it makes USD know the schema, so do it before opening the stage.
 """
 
 from __future__ import annotations
@@ -9,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TypeVar
 
+from usdmotion import usd
 from usdmotion.answering import Say, beside_its_input, solved_scenes
 from usdmotion.asking import Asked
 from usdmotion.errors import SceneError
@@ -24,9 +26,7 @@ from usdmotion.report.guides import GuidesReport
 from usdmotion.reporting import require_matplotlib, tell
 from usdmotion.searching import search_stage
 from usdmotion.session import Session
-
-if TYPE_CHECKING:
-    from usdmotion.usd import Inspection, Stage
+from usdmotion.usd import Inspection, Stage
 
 _Made = TypeVar("_Made")
 
@@ -51,8 +51,6 @@ class Worst:
 
 def inspect(stage: Stage) -> Inspection:
     """Return what is on a stage: skeletons, clips, edits, constraints, and every fault found."""
-    from usdmotion import usd
-
     return usd.inspect_stage(stage, usd.name_of(stage), host().constraints)
 
 
@@ -73,8 +71,6 @@ def detect(
         InputError: The stage, its edit target, or what is asked for, is at fault.
         PluginError: A detector does not keep its contract.
     """
-    from usdmotion import usd
-
     draft = usd.Draft(stage)
     report, told = search_stage(draft.stage, usd.name_of(stage), asked or Asked(), say=say)
     draft.put(detection=told)
@@ -93,8 +89,6 @@ def solve(stage: Stage, edits: Sequence[str] = (), *, say: Say = lambda _: None)
         InputError: The stage, its edit target, or an edit is at fault.
         PluginError: A solver does not keep its contract.
     """
-    from usdmotion import usd
-
     draft = usd.Draft(stage)
     read = usd.read_stage(
         stage,
@@ -115,8 +109,6 @@ def shown(stage: Stage, edit: str) -> bool:
     Raises:
         SceneError: There is no such edit.
     """
-    from usdmotion import usd
-
     return _named(stage, lambda: usd.is_shown(stage, edit))
 
 
@@ -133,8 +125,6 @@ def show(stage: Stage, edit: str, on: bool) -> None:
     Raises:
         SceneError: There is no such edit, it has no result, or the edit target is at fault.
     """
-    from usdmotion import usd
-
     draft = usd.Draft(stage)
     _named(stage, lambda: usd.author_shown(draft.stage, edit, on))
     draft.put()
@@ -187,8 +177,6 @@ def add_position_constraint(
     Raises:
         SceneError: What is named is not there, or the edit target is at fault.
     """
-    from usdmotion import usd
-
     draft = usd.Draft(stage)
     path = _named(
         stage,
@@ -208,8 +196,6 @@ def make_template(stage: Stage, contact: str) -> None:
     Raises:
         SceneError: It is no contact of a detection, or the edit target is at fault.
     """
-    from usdmotion import usd
-
     draft = usd.Draft(stage)
     _named(stage, lambda: usd.author_template(draft.stage, contact))
     draft.put()
@@ -228,8 +214,6 @@ def guides(stage: Stage, *, say: Say = lambda _: None) -> GuidesReport:
     Raises:
         InputError: The stage, or its edit target, is at fault, or there is nothing to draw.
     """
-    from usdmotion import usd
-
     with usd.drawn_on(stage):
         return guides_over(stage, usd.name_of(stage), say=say)
 
@@ -248,8 +232,6 @@ def report(stage: Stage, output: Path, *, say: Say = lambda _: None) -> tuple[Fi
     Raises:
         InputError: There is no result, the report cannot be written, or matplotlib is missing.
     """
-    from usdmotion import usd
-
     usd.require_apart((), (output,))
     require_matplotlib()
     say("reading the stage")
@@ -258,8 +240,6 @@ def report(stage: Stage, output: Path, *, say: Say = lambda _: None) -> tuple[Fi
 
 def _outcomes(stage: Stage) -> list[Outcome]:
     """Return what became of the edits of a stage, beside the input that they started from."""
-    from usdmotion import usd
-
     name, call = usd.name_of(stage), "usdmotion.reporting.report"
     solved = usd.solved_edits(stage)
     if not solved:
@@ -270,8 +250,6 @@ def _outcomes(stage: Stage) -> list[Outcome]:
 
 def _named(stage: Stage, made: Callable[[], _Made]) -> _Made:
     """Return what is made of a stage; errors name it."""
-    from usdmotion import usd
-
     try:
         return made()
     except SceneError as error:
