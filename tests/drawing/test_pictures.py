@@ -46,7 +46,7 @@ def test_what_is_near_hides_what_is_far(first):
         HALVES,
         RED,
     )
-    small = square((0.0, 0.75, -0.5), 0.2, GREEN)
+    small = square((0.6, 0.75, -0.5), 0.2, GREEN)
     surfaces = (tilted, small) if first else (small, tilted)
     red, green = dominant(pixels(strip(Panel("", FRONT, surfaces=surfaces))))
     rows = np.flatnonzero(green.any(axis=1))

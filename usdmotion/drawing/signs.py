@@ -21,10 +21,13 @@ _TEXT = 6.5
 _WIDE, _TALL = 0.66, 1.2
 """About the size of a letter, over the size of the text."""
 _SIGN = 5.0
-"""Half of the size of a sign [points]."""
+_HALVES = {"held": 2.0}
+"""Half of the size of signs [points], of one that is not named here the first."""
+_FAINT, _CROWDED = 0.5, 0.1
+"""What is paler is left out where more than this part of it would be over something else."""
 _SIDES = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (1, 1), (-1, 1), (1, -1), (-1, -1))
 """To which sides something may be written, the best first."""
-_STEPS = (0.0, 8.0, 16.0)
+_STEPS = (0.0, 6.0, 14.0)
 """How much farther away it may be written, the best first [points]."""
 _OVER = 50.0
 """Order of what is drawn above all that is solid."""
@@ -42,18 +45,21 @@ def draw_spots(
         panel: Beyond which nothing is best written.
         fineness: How large signs are, over what they are at most.
     """
-    taken = [_box(place, (0.0, 0.0), (_SIGN, _SIGN)) for place in places]
-    # What is missed is named first, where there is most room.
-    order = sorted(range(len(spots)), key=lambda each: spots[each].sign != "missed")
-    for index in order:
-        spot, place = spots[index], places[index]
+    taken = []
+    for spot, place in zip(spots, places, strict=True):
         if spot.sign != "number":
             _sign(sheet, spot, place, fineness)
-        if spot.text:
-            others = taken[:index] + taken[index + 1 :]
-            middle, box = _room(place, spot, others, np.array(panel))
-            taken.append(box)
-            _write(sheet, spot, middle)
+            half = fineness * _HALVES.get(spot.sign, _SIGN)
+            taken.append(_box(place, np.zeros(2), np.array((half, half))))
+    # What is missed is named first, where there is most room, and what is pale last.
+    named = [index for index, spot in enumerate(spots) if spot.text]
+    for index in sorted(
+        named, key=lambda each: (spots[each].sign != "missed", -spots[each].opacity)
+    ):
+        room = _room(places[index], spots[index], taken, np.array(panel))
+        if room is not None:
+            taken.append(room)
+            _write(sheet, spots[index], 0.5 * (room[:2] + room[2:]))
 
 
 def _sign(axes: "Axes", spot: Spot, place: Floats, fine: float) -> None:
@@ -120,10 +126,8 @@ def _write(sheet: "Axes", spot: Spot, middle: Floats) -> None:
     )
 
 
-def _room(
-    place: Floats, spot: Spot, taken: Sequence[Floats], panel: Floats
-) -> tuple[Floats, Floats]:
-    """Return where something is best written, and what it takes [points].
+def _room(place: Floats, spot: Spot, taken: Sequence[Floats], panel: Floats) -> Floats | None:
+    """Return the box in which something is best written; None of what is pale and has no room.
 
     It is the first try that is over nothing else, or over the least.
     """
@@ -134,20 +138,18 @@ def _room(
         tries.insert(0, np.zeros(2))
     boxes = [_box(place, offset, half) for offset in tries]
     losses = [
-        sum(_common(box, other) for other in taken)
-        + 4.0 * (_area(box) - _common(box, panel))
-        + 1e-3 * index
-        for index, box in enumerate(boxes)
+        sum(_common(box, other) for other in taken) + 4.0 * (_area(box) - _common(box, panel))
+        for box in boxes
     ]
-    best = int(np.argmin(losses))
-    return place + tries[best], boxes[best]
+    best = int(np.argmin(np.array(losses) + 1e-3 * np.arange(len(losses))))
+    if spot.opacity < _FAINT and losses[best] > _CROWDED * _area(boxes[best]):
+        return None
+    return boxes[best]
 
 
-def _box(
-    place: Floats, offset: "Floats | tuple[float, float]", half: "Floats | tuple[float, float]"
-) -> Floats:
+def _box(place: Floats, offset: Floats, half: Floats) -> Floats:
     """Return left, bottom, right and top of a box around a place, shape (4,)."""
-    middle = place + np.array(offset)
+    middle = place + offset
     return np.concatenate([middle - half, middle + half])
 
 
