@@ -5,8 +5,12 @@ import pytest
 from pxr import Sdf, Usd, UsdGeom, UsdSkel
 
 from usdmotion.asking import Span
+from usdmotion.constraints import ContactConstraint
 from usdmotion.errors import InputError
 from usdmotion.picturing import look_at, strip_of
+from usdmotion.usd import author
+
+ASKED, WRIST = "/Asked/Skeleton", "base/shoulder/elbow/wrist"
 
 ENDS = (2.0, 8.0)
 
@@ -151,3 +155,45 @@ def test_a_stage_with_nothing_to_see_is_refused(tmp_path):
     stage.GetRootLayer().Save()
     with pytest.raises(InputError, match=r"empty.usda: there is nothing to see at 0"):
         look_at(tmp_path / "empty.usda")
+
+
+def test_who_stays_at_rest_is_left_out_while_others_move(shots, tmp_path):
+    stage = Usd.Stage.CreateNew(str(tmp_path / "waiting.usda"))
+    stage.GetRootLayer().subLayerPaths = [str(shots.shot)]
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    rest = stage.DefinePrim("/Idle/Rest", "SkelAnimation")
+    stage.GetPrimAtPath("/Idle/Skeleton").GetRelationship("skel:animationSource").SetTargets(
+        [rest.GetPath()]
+    )
+    stage.GetRootLayer().Save()
+    looked = look_at(tmp_path / "waiting.usda", frames=ENDS)
+    panel = strip_of(looked).rows[0].panels[0]
+    assert [len(panel.bodies), len(panel.surfaces)] == [1, 1]
+    assert looked.notes == ("left out, because in their rest pose: </Idle/Skeleton>",)
+
+
+def test_a_stage_at_fault_is_drawn_all_the_same_and_told_of(shots, tmp_path):
+    text = shots.shot.read_text()
+    (tmp_path / "wrong.usda").write_text(text.replace(f'joint = "{WRIST}"', 'joint = "nobody"'))
+    looked = look_at(tmp_path / "wrong.usda", frames=ENDS)
+    assert len(strip_of(looked).rows[0].panels[0].bodies) == 2
+    (note,) = looked.notes
+    assert note.startswith("what </Asked/Skeleton/Edit> asks is not seen: ")
+    assert "nobody" in note
+
+
+def test_contacts_are_marked_while_they_are_near_in_time(shots, tmp_path):
+    stage = Usd.Stage.CreateNew(str(tmp_path / "held.usda"))
+    stage.GetRootLayer().subLayerPaths = [str(shots.shot)]
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    stage.SetTimeCodesPerSecond(24.0)
+    held = ContactConstraint(path="", skeleton=ASKED, joint=WRIST, times=(0.0, 1.0 / 24.0))
+    author(stage, f"{ASKED}/Edit/Held", held)
+    stage.GetRootLayer().Save()
+    strip = strip_of(look_at(tmp_path / "held.usda", frames=ENDS))
+    numbers = [
+        [mark for mark in panel.marks if getattr(mark, "sign", "") == "number"]
+        for panel in strip.rows[0].panels
+    ]
+    assert [[each.text for each in one] for one in numbers] == [["1"], ["1"]]
+    assert numbers[0][0].opacity == 1.0 > numbers[1][0].opacity

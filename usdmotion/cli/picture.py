@@ -7,7 +7,7 @@ import typer
 
 from usdmotion.arguments import moments_of, names_of
 from usdmotion.cli.application import app
-from usdmotion.cli.flags import Json, Quiet, Source
+from usdmotion.cli.flags import Json, Quiet, Shot
 from usdmotion.terminal import Terminal
 
 Drawn = Annotated[
@@ -37,29 +37,31 @@ Compared = Annotated[
 
 @app.command(epilog="Example: usdmotion picture shot.usda -o strip.png --view front,side")
 def picture(
-    shot: Source,
+    stage: Annotated[Path, typer.Argument(help="A stage, or a layer that solve wrote.")],
     output: Drawn = None,
     frames: Moments = None,
     view: Views = None,
     camera: Camera = "",
     compare: Compared = None,
+    shot: Shot = None,
     json: Json = None,
     quiet: Quiet = False,
 ) -> None:
-    """Draw a shot as a strip of poses; one with results beside what they were made from."""
+    """Draw a stage as a strip of poses; one with results beside what they were made from."""
     from usdmotion import pipeline, usd
 
     terminal = Terminal.open(quiet=quiet, json=json)
-    output = output or shot.with_suffix(".png")
+    output = output or stage.with_suffix(".png")
     usd.require_apart((), (output, json))
     with terminal.busy() as say:
         told = pipeline.picture(
-            shot,
+            stage,
             output,
+            shot=shot,
             frames=moments_of(frames),
             views=names_of(view),
             camera=camera,
             compare=compare,
             say=say,
         )
-    terminal.account(told, f"wrote {output}", json=json)
+    terminal.account(told, output, json=json)

@@ -22,9 +22,10 @@ _ENDINGS = (".png", ".svg")
 
 
 def picture(
-    shot: Path,
+    stage: Path,
     output: Path,
     *,
+    shot: Path | None = None,
     frames: Span | Sequence[float] | None = None,
     views: Sequence[str] = (),
     camera: str = "",
@@ -38,8 +39,9 @@ def picture(
     The same inputs give the same bytes.
 
     Args:
-        shot: The stage, or a layer of results beside the shot that it was made from.
+        stage: The stage, or a layer of results.
         output: The picture to write; it ends in .png or .svg.
+        shot: The shot under the layer; None finds it beside it, as `usd.files_of` says.
         frames: Which frames; None takes about six at which it is worth looking.
         views: Some of front, side, top, three-quarter; none takes the last, or the camera.
         camera: Path of the camera to look through.
@@ -56,7 +58,14 @@ def picture(
     require_askable(views, camera)
     require_matplotlib()
     looked = look_at(
-        shot, frames=frames, views=views, camera=camera, compare=compare, ground=ground, say=say
+        stage,
+        shot=shot,
+        frames=frames,
+        views=views,
+        camera=camera,
+        compare=compare,
+        ground=ground,
+        say=say,
     )
     _require_writable(output, looked)
     strip = strip_of(looked)

@@ -13,9 +13,9 @@ MOST = 12
 """More panels than this beside each other are too small to see anything."""
 USUAL = 6
 """How many are drawn where nobody says."""
-_FEWER = {1: 6, 2: 6, 3: 5, 4: 4}
+_FEWER = {0: 4, 1: USUAL, 2: USUAL, 3: 5, 4: 4}
 _FEWEST = 3
-"""The same by how many bodies are in each; a crowd needs room."""
+"""The same by how many bodies are in each; a crowd needs room, and so do things that fly about."""
 _SLACK = 1e-6
 
 
@@ -72,7 +72,7 @@ def asked_for(asked: Span | Sequence[float], clip: Clip) -> Floats:
 
 def usual(body_count: int) -> int:
     """Return how many frames are drawn of some bodies where nobody says."""
-    return _FEWER.get(max(body_count, 1), _FEWEST)
+    return _FEWER.get(body_count, _FEWEST)
 
 
 def telling(tiers: Sequence[Sequence[float]], clip: Clip, count: int = USUAL) -> Floats:

@@ -9,15 +9,16 @@ from typing import TYPE_CHECKING
 
 from usdmotion.arrays import Floats
 from usdmotion.asking import Span
-from usdmotion.errors import SceneError
+from usdmotion.errors import InputError, SceneError
 from usdmotion.grounding import Told
+from usdmotion.guides import ContactMark
 from usdmotion.picturing.frames import Clip, asked_for, telling, usual
 from usdmotion.picturing.moments import tiers_of
 from usdmotion.picturing.scenery import Scenery, look
 from usdmotion.picturing.views import USUAL, require_askable
 from usdmotion.plugins import host
 from usdmotion.showing import ShownScene
-from usdmotion.surveying import survey
+from usdmotion.surveying import Survey, survey
 
 if TYPE_CHECKING:
     from usdmotion.usd.seeing import Side
@@ -41,8 +42,9 @@ class Looked:
 
 
 def look_at(
-    shot: Path,
+    stage: Path,
     *,
+    shot: Path | None = None,
     frames: Span | Sequence[float] | None = None,
     views: Sequence[str] = (),
     camera: str = "",
@@ -53,7 +55,8 @@ def look_at(
     """Return all that a strip is made of, as `picture` draws it.
 
     Args:
-        shot: The stage, or a layer of results beside the shot that it was made from.
+        stage: The stage, or a layer of results.
+        shot: The shot under the layer; None finds it beside it, as `usd.files_of` says.
         frames: Which frames; None takes about six at which it is worth looking.
         views: Some of front, side, top, three-quarter; none takes the last, or the camera.
         camera: Path of the camera to look through.
@@ -68,17 +71,18 @@ def look_at(
     from usdmotion.usd.seeing import sides_of
 
     require_askable(views, camera)
-    say(f"reading {shot}")
-    sides = sides_of(usd.files_of(shot, kinds=host().constraints), compare)
+    say(f"reading {stage}")
+    sides = sides_of(usd.files_of(stage, shot=shot, kinds=host().constraints), compare)
     _require_camera(sides, camera)
-    last, program = sides[-1], "usdmotion.picturing.picture"
-    found = survey(last.stage, last.path, program=program, ground=ground, say=say)
-    codes = _codes(sides, found.scenes, frames)
+    found, contacts = _asked(sides[-1], ground, say), [_contacts(side) for side in sides]
+    codes = _codes(sides, tiers_of(found.scenes, contacts[-1][0]), frames)
     say("looking")
-    sceneries, notes = zip(*(look(side, codes) for side in sides), strict=True)
+    looks = [look(side, codes, own) for side, (own, _) in zip(sides, contacts, strict=True)]
+    sceneries = tuple(scenery for scenery, _ in looks)
+    notes = (*found.notes, *(note for _, told in (*contacts, *looks) for note in told))
     if all(each.is_empty for each in sceneries):
         raise SceneError(
-            f"{shot}: there is nothing to see at {', '.join(f'{code:g}' for code in codes)}: no "
+            f"{stage}: there is nothing to see at {', '.join(f'{code:g}' for code in codes)}: no "
             "body that an animation moves, and no surface that is visible"
         )
     return Looked(
@@ -87,8 +91,31 @@ def look_at(
         scenes=found.scenes,
         camera=camera,
         views=() if camera else tuple(views) or (USUAL,),
-        notes=tuple(dict.fromkeys((*found.notes, *(each for told in notes for each in told)))),
+        notes=tuple(dict.fromkeys(notes)),
     )
+
+
+def _asked(side: Side, ground: Told | None, say: Callable[[str], None]) -> Survey:
+    """Return what is asked on a stage, met and missed; nothing and why, where that is at fault.
+
+    Whoever looks for the reason may need a picture.
+    """
+    program = "usdmotion.picturing.picture"
+    try:
+        return survey(side.stage, side.path, program=program, ground=ground, say=say)
+    except InputError as error:
+        fault = f"what is asked is not drawn: {error}"
+        return Survey((), (fault,), (fault,))
+
+
+def _contacts(side: Side) -> tuple[tuple[ContactMark, ...], tuple[str, ...]]:
+    """Return the contacts on a stage; none and a note on it, where one is at fault."""
+    from usdmotion.usd import read_contact_marks
+
+    try:
+        return read_contact_marks(side.stage), ()
+    except SceneError as error:
+        return (), (f"contacts are not drawn: {side.path}: {error}",)
 
 
 def _require_camera(sides: Sequence[Side], camera: str) -> None:
@@ -102,7 +129,9 @@ def _require_camera(sides: Sequence[Side], camera: str) -> None:
 
 
 def _codes(
-    sides: Sequence[Side], scenes: Sequence[ShownScene], asked: Span | Sequence[float] | None
+    sides: Sequence[Side],
+    tiers: Sequence[Sequence[float]],
+    asked: Span | Sequence[float] | None,
 ) -> Floats:
     """Return the time codes of the columns."""
     from usdmotion.usd.seeing import moved_skeletons, span_of
@@ -113,5 +142,5 @@ def _codes(
     clip = Clip(min(first for first, _ in spans), max(last for _, last in spans), step)
     if asked is not None:
         return asked_for(asked, clip)
-    count = usual(max(sum(1 for _ in moved_skeletons(side.stage)) for side in sides))
-    return telling(tiers_of(scenes), clip, count)
+    count = usual(max(len(moved_skeletons(side.stage)) for side in sides))
+    return telling(tiers, clip, count)

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from usdmotion.arrays import Bools
+from usdmotion.guides import ContactMark
 from usdmotion.quality import runs
 from usdmotion.showing import ShownEdit, ShownScene
 
@@ -12,17 +13,19 @@ _ON = 0.999
 """Activity of a goal that is wholly on."""
 
 
-def tiers_of(scenes: Sequence[ShownScene]) -> list[list[float]]:
+def tiers_of(scenes: Sequence[ShownScene], contacts: Sequence[ContactMark]) -> list[list[float]]:
     """Return time codes of what there is to be seen, the most important first.
 
-    They are the frames where most is missed, then the middles of what goals ask, then those of what
-    is asked without a goal.
+    They are the frames where most is missed, then the middles of what goals ask, then those of
+    contacts, and of what else is asked without a goal.
     """
+    holds = [0.5 * (each.start + each.end) for each in contacts if not each.always]
     edits = [(scene.scene.time_codes.tolist(), edit) for scene in scenes for edit in scene.edits]
-    return [
+    worst, wanted, asked = (
         [codes[frame] for codes, edit in edits for frame in frames(edit)]
         for frames in (_worst, _wanted, _asked)
-    ]
+    )
+    return [worst, wanted, holds, asked]
 
 
 def _worst(edit: ShownEdit) -> Iterator[int]:

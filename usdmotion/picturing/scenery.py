@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from usdmotion.arrays import Floats
+from usdmotion.cast import Character
 from usdmotion.drawing.bodies import Kind
 from usdmotion.drawing.mannequin import Mannequin
 from usdmotion.drawing.strips import Body, Surface
+from usdmotion.guides import ContactMark
 from usdmotion.picturing.surfaces import drawn, lies_under
 
 if TYPE_CHECKING:
@@ -26,6 +28,8 @@ _LOW = 0.12
 """What is not higher above the lowest joint than this, over the height of a body, is a ground."""
 _COVERED = 0.5
 """A skin that moves with so many of the joints that limbs hang on is drawn in their place."""
+_AT_REST = 1.0 - 1e-6
+"""Cosine of half the angle to the rest pose, above which a joint is in it."""
 _MOVED = 1e-3
 """What stays within this does not move [m]."""
 _STANDING = (-0.1, 0.45)
@@ -40,6 +44,7 @@ class Scenery:
     bodies: tuple[SeenBody, ...]
     surfaces: tuple[tuple[SeenSurface, ...], ...]
     """Time by time."""
+    contacts: tuple[ContactMark, ...]
 
     @property
     def is_empty(self) -> bool:
@@ -64,6 +69,11 @@ class Scenery:
             if len(own & moved.get(path, set())) >= _COVERED * max(len(own), 1)
         )
 
+    @cached_property
+    def _solved_first(self) -> list[SeenBody]:
+        """The bodies, those first whose result is seen: these differ in colour."""
+        return sorted(self.bodies, key=lambda each: self._kind(each.character.path) == "other")
+
     def limbs(self, frame: int) -> tuple[Body, ...]:
         """Return the bodies that are drawn as limbs."""
         return tuple(
@@ -71,8 +81,9 @@ class Scenery:
                 self._mannequins[each.character.path],
                 (each.pose[0][frame], each.pose[1][frame]),
                 self._kind(each.character.path),
+                number,
             )
-            for each in self.bodies
+            for number, each in enumerate(self._solved_first)
             if each.visible[frame] and each.character.path not in self._skinned
         )
 
@@ -155,19 +166,38 @@ class Scenery:
         return moving or frozenset(each.path for row in self.surfaces for each in row)
 
 
-def look(side: Side, codes: Floats) -> tuple[Scenery, tuple[str, ...]]:
+def look(
+    side: Side, codes: Floats, contacts: tuple[ContactMark, ...]
+) -> tuple[Scenery, tuple[str, ...]]:
     """Return what of a stage is drawn at some times, and a note on each thing that is not.
 
     Args:
         side: The stage.
         codes: When, ascending, in time codes.
+        contacts: Those on it.
     """
     from usdmotion.usd.seeing import Sight, see_bodies
 
     sight = Sight.of(side.stage, side.facts)
     bodies, notes = see_bodies(side.stage, codes, side.facts)
-    surfaces = tuple(sight.surfaces(float(code)) for code in codes)
-    return Scenery(side, bodies, surfaces), (*notes, *sight.notes.values())
+    surfaces = [sight.surfaces(float(code)) for code in codes]
+    resting = {each.character.path for each in bodies if _rests(each.character)}
+    if len(resting) < len(bodies):
+        # Nobody has put a motion on them, and all of them may stand at one place.
+        paths = ", ".join(f"<{path}>" for path in sorted(resting))
+        notes += (f"left out, because in their rest pose: {paths}",) if resting else ()
+        bodies = tuple(each for each in bodies if each.character.path not in resting)
+        surfaces = [
+            tuple(each for each in row if not (each.sketch and each.skeleton in resting))
+            for row in surfaces
+        ]
+    return Scenery(side, bodies, tuple(surfaces), contacts), (*notes, *sight.notes.values())
+
+
+def _rests(character: Character) -> bool:
+    """Tell whether all joints of a character are turned as they rest, at all times."""
+    alike = np.einsum("fji,ji->fj", character.motion.rotations, character.skeleton.rest_rotations)
+    return bool((np.abs(alike) > _AT_REST).all())
 
 
 def common_ground(sceneries: Sequence[Scenery], up: Floats) -> float | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,11 +13,15 @@ from usdmotion.drawing.strips import Mark, Panel, Row, Strip
 from usdmotion.picturing.looking import Looked
 from usdmotion.picturing.scenery import Scenery, common_ground
 from usdmotion.picturing.views import ahead_of, camera_of
+from usdmotion.showing import Course, ShownScene
+from usdmotion.showing.contacts import contact_marks
 from usdmotion.showing.marking import marks
 
 if TYPE_CHECKING:
     from usdmotion.usd.seeing import Side
 
+_AROUND = 2.0
+"""How long before and after a panel's time trajectories and contacts are drawn [s]."""
 _KINDS = {"alone": "", "before": "before", "after": "after"}
 
 
@@ -44,7 +49,7 @@ def _row(looked: Looked, scenery: Scenery, view: str, ahead: Floats, ground: flo
             eye=camera_of(view, ahead, up) if view else _through(side, looked.camera, float(code)),
             bodies=scenery.limbs(frame),
             surfaces=scenery.drawn(frame),
-            marks=_marks(looked, side, float(code)),
+            marks=_marks(looked, scenery, float(code)),
             ground=ground,
             up=(float(up[0]), float(up[1]), float(up[2])),
         )
@@ -59,16 +64,39 @@ def _through(side: Side, path: str, code: float) -> Eye:
     return see_through(find_camera(side.stage, path), code, side.facts)
 
 
-def _marks(looked: Looked, side: Side, code: float) -> tuple[Mark, ...]:
+def _marks(looked: Looked, scenery: Scenery, code: float) -> tuple[Mark, ...]:
     """Return what is drawn over the poses at a time; nothing outside of what a scene is about."""
-    found: list[Mark] = []
+    apart = _AROUND * scenery.side.facts.time_codes_per_second
+    contacts = scenery.contacts
+    near = [c for c in contacts if c.always or c.first - apart <= code <= c.last + apart]
+    found = list(contact_marks(near, code))
     for shown in looked.scenes:
         codes = shown.scene.time_codes
         frame = int(np.abs(codes - code).argmin())
         step = float(np.diff(codes).max(initial=1.0))
         if abs(codes[frame] - code) <= step:
-            found += marks(shown, frame, after=side.kind == "after")
+            after = scenery.side.kind == "after"
+            found += marks(_around(shown, frame), frame, after=after)
     return tuple(found)
+
+
+def _around(shown: ShownScene, frame: int) -> ShownScene:
+    """Return a scene whose trajectories stay where they are some time before and after a frame.
+
+    Whoever walks to and fro for long would be hidden by where he goes.
+    """
+    times = shown.scene.times
+    first, last = np.searchsorted(times, times[frame] + np.array((-_AROUND, _AROUND)))
+    frames = np.clip(np.arange(len(times)), first, max(last - 1, first))
+
+    def cut(course: Course) -> Course:
+        after = None if course.after is None else course.after[frames]
+        return replace(course, before=course.before[frames], after=after)
+
+    edits = (
+        replace(each, courses=tuple(cut(course) for course in each.courses)) for each in shown.edits
+    )
+    return replace(shown, edits=tuple(edits))
 
 
 def _caption(looked: Looked) -> str:

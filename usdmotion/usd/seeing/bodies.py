@@ -9,6 +9,7 @@ from usdmotion.arrays import Floats
 from usdmotion.cast import Cast
 from usdmotion.errors import SceneError
 from usdmotion.usd.characters import read_character
+from usdmotion.usd.clips import own_times
 from usdmotion.usd.relations import bound_animation, is_a, joints_of
 from usdmotion.usd.seeing.looks import is_visible
 from usdmotion.usd.seeing.seen import SeenBody
@@ -27,7 +28,7 @@ def see_bodies(
     """
     found: list[SeenBody] = []
     notes: list[str] = []
-    for prim in moved_skeletons(stage):
+    for prim in _bound(stage):
         try:
             found.append(_body(prim, time_codes, facts))
         except SceneError as error:
@@ -35,7 +36,14 @@ def see_bodies(
     return tuple(found), tuple(notes)
 
 
-def moved_skeletons(stage: Usd.Stage) -> Iterator[Usd.Prim]:
+def moved_skeletons(stage: Usd.Stage) -> tuple[str, ...]:
+    """Return the paths of the Skeletons that an animation moves over time."""
+    return tuple(
+        str(prim.GetPath()) for prim in _bound(stage) if len(own_times(bound_animation(prim))) > 1
+    )
+
+
+def _bound(stage: Usd.Stage) -> Iterator[Usd.Prim]:
     """Yield the Skeletons that an animation is bound to, ghosts left out."""
     for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()):
         if is_a(prim, "UsdSkelSkeleton") and joints_of(prim) and bound_animation(prim):
