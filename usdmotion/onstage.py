@@ -126,7 +126,7 @@ def show(stage: Stage, edit: str, on: bool) -> None:
         SceneError: There is no such edit, it has no result, or the edit target is at fault.
     """
     draft = usd.Draft(stage)
-    _named(stage, lambda: usd.author_shown(draft.stage, edit, on))
+    _named(stage, lambda: usd.author_shown(draft.layer, stage, edit, on))
     draft.put()
 
 
@@ -197,7 +197,7 @@ def make_template(stage: Stage, contact: str) -> None:
         SceneError: It is no contact of a detection, or the edit target is at fault.
     """
     draft = usd.Draft(stage)
-    _named(stage, lambda: usd.author_template(draft.stage, contact))
+    _named(stage, lambda: usd.author_template(draft.layer, stage, contact))
     draft.put()
 
 

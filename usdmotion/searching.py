@@ -85,6 +85,7 @@ def search_stage(
     from usdmotion import usd
 
     try:
+        usd.require_composed(stage)
         searches = usd.read_searches(stage, asked)
     except SceneError as error:
         raise SceneError(f"{name}: {error}") from error

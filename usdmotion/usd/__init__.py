@@ -46,7 +46,7 @@ from usdmotion.usd.recordings import write_recording
 from usdmotion.usd.region_authoring import author_region
 from usdmotion.usd.shot import Result, Shot
 from usdmotion.usd.shown_results import author_shown, is_shown
-from usdmotion.usd.stages import Stage, name_of
+from usdmotion.usd.stages import Stage, name_of, require_composed
 from usdmotion.usd.variants import variant
 from usdmotion.usd.writing import Draw, compose, put, require_composable, write
 
@@ -97,6 +97,7 @@ __all__ = [
     "read_stage",
     "require_apart",
     "require_composable",
+    "require_composed",
     "require_unread",
     "solved_edits",
     "unsolved_edits",

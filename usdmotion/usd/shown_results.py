@@ -25,13 +25,14 @@ def is_shown(stage: Usd.Stage, path: str) -> bool:
     return bound is not None and depends_on(bound, edit)
 
 
-def author_shown(stage: Usd.Stage, path: str, on: bool) -> None:
+def author_shown(layer: Sdf.Layer, stage: Usd.Stage, path: str, on: bool) -> None:
     """Bind a Skeleton to the result of its edit, or to what that was made from.
 
     Where the result of another edit is stacked on it, that one is shown, or hidden too.
 
     Args:
-        stage: Where, in its edit target.
+        layer: Where to write it.
+        stage: The stage.
         path: Path of the MotionEdit, or of a prim in it.
         on: Whether the result is to be shown.
 
@@ -44,7 +45,7 @@ def author_shown(stage: Usd.Stage, path: str, on: bool) -> None:
     if not stage.GetPrimAtPath(animation):
         raise SceneError(f"<{edit.GetPath()}> has no result; solve it first")
     if is_shown(stage, path) != on:
-        author_binding(stage.GetEditTarget().GetLayer(), holder_of(skeleton), animation)
+        author_binding(layer, holder_of(skeleton), animation)
 
 
 def author_binding(layer: Sdf.Layer, holder: str, animation: str) -> None:

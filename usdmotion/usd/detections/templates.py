@@ -1,16 +1,18 @@
 """A contact that is an example: the next detection learns from it."""
 
-from pxr import Usd
+from pxr import Sdf, Usd
 
 from usdmotion.errors import SceneError
+from usdmotion.usd.layers import over, set_value
 from usdmotion.usd.relations import is_a, nearest
 
 
-def author_template(stage: Usd.Stage, path: str) -> None:
+def author_template(layer: Sdf.Layer, stage: Usd.Stage, path: str) -> None:
     """Make a contact a template.
 
     Args:
-        stage: Where, in its edit target.
+        layer: Where to write it.
+        stage: The stage.
         path: Path of the contact, or of a prim below it.
 
     Raises:
@@ -26,4 +28,5 @@ def author_template(stage: Usd.Stage, path: str) -> None:
             f"<{contact.GetPath()}> is in no MotionDetection, so that nothing learns from it; move "
             "it into that of its joint or prim"
         )
-    contact.GetAttribute("usdmotion:template").Set(True)
+    spec = over(layer, str(contact.GetPath()))
+    set_value(spec, "usdmotion:template", Sdf.ValueTypeNames.Bool, True)

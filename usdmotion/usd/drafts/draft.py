@@ -16,7 +16,7 @@ from usdmotion.usd.drafts.retiming import retime
 from usdmotion.usd.drafts.targets import offset_of, target_of
 from usdmotion.usd.layers import new_layer
 from usdmotion.usd.provenance import KEY, joined, recorded
-from usdmotion.usd.stages import Stage, name_of, read_facts, require_composed
+from usdmotion.usd.stages import Stage, name_of, read_facts
 
 _VARIABLES = "expressionVariables"
 """What is read of the strongest layer alone."""
@@ -35,11 +35,10 @@ class Draft:
             stage: The stage that is open.
 
         Raises:
-            SceneError: The stage does not compose, or its edit target cannot be written to.
+            SceneError: Its edit target cannot be written to.
         """
         self._stage = stage
         with _named(stage):
-            require_composed(stage)
             self._target = target_of(stage)
         self.layer = new_layer(read_facts(stage))
         """What is made, in time codes of the stage."""
