@@ -11,9 +11,9 @@ SOLE = np.array(((0.0, 0.0, 0.0), (0.1, 0.0, 0.0), (0.1, 0.0, 0.3)))
 NOTHING = np.zeros((0, 3))
 
 
-def contact(number, *, sole=SOLE, times=(10.0, 12.0, 20.0, 24.0), always=False):
+def contact(number, *, joint="", sole=SOLE, times=(10.0, 12.0, 20.0, 24.0), always=False):
     course = np.array(((0.0, 0.0, 0.0), (1.0, 0.0, 0.0)))
-    held = ContactObject("/Foot", "", SOLE, np.ones(3), 1.0, course)
+    held = ContactObject("/Foot", joint, SOLE, np.ones(3), 1.0, course)
     lifted = (np.array(((0.0, 1.0, 0.0), (0.0, 2.0, 0.0))),)
     guide = ContactGuide(
         marks=SOLE + np.array((number, 0.0, 0.0)),
@@ -59,10 +59,17 @@ def test_a_foot_leaves_a_print_and_anything_else_its_points():
     assert not any(isinstance(mark, Patch) for mark in marked)
 
 
-def test_where_an_object_goes_is_drawn_once_and_what_is_on_above_what_is_not():
+def test_of_many_contacts_only_those_are_numbered_that_are_on():
+    later = [contact(each, times=(40.0, 42.0, 50.0, 54.0)) for each in range(2, 30)]
+    assert number_of(contact_marks([contact(1), *later], 15.0)).text == "1"
+
+
+def test_where_a_prop_goes_is_drawn_once_and_what_is_on_above_what_is_not():
     later = contact(2, times=(40.0, 42.0, 50.0, 54.0))
     marked = contact_marks([contact(1), later], 15.0)
     courses = [m for m in marked if isinstance(m, Curve) and m.width < 1.0]
     assert len(courses) == 1
+    of_joint = contact_marks([contact(1, joint="Hips/Foot")], 15.0)
+    assert not any(isinstance(mark, Curve) and mark.width < 1.0 for mark in of_joint)
     numbers = [m.text for m in marked if isinstance(m, Spot)]
     assert numbers == ["2", "1"]

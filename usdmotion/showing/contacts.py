@@ -9,6 +9,8 @@ from usdmotion.guides import ContactMark
 
 _PALE = 0.3
 """How strong a contact is that is not on."""
+_FEW = 12
+"""Of more contacts only those are numbered that are on."""
 _AREA = 0.5
 """How strong the area of a footprint is, over the contact's."""
 
@@ -16,20 +18,22 @@ _AREA = 0.5
 def contact_marks(contacts: Sequence[ContactMark], time_code: float) -> tuple[Mark, ...]:
     """Return what is to be drawn of contacts at a time: strong those that are on, pale the others.
 
-    Where each object goes is drawn as well.
+    Where a prop goes is drawn as well; joints have their trajectories where something is asked.
 
     Args:
         contacts: Those of a stage.
         time_code: When.
     """
-    objects = {each.object: each for each in contacts}
-    ways = [Curve(each.held.course, each.color, 0.7, _PALE) for each in objects.values()]
+    props = {each.object: each for each in contacts if not each.held.joint}
+    ways = [Curve(each.held.course, each.color, 0.7, _PALE) for each in props.values()]
+    numbered = 0.0 if len(contacts) <= _FEW else _PALE
     # What is on is drawn over what is not.
     ordered = sorted(contacts, key=lambda each: _strength(each, time_code))
-    return (*ways, *(mark for each in ordered for mark in _contact(each, time_code)))
+    return (*ways, *(mark for each in ordered for mark in _contact(each, time_code, numbered)))
 
 
-def _contact(contact: ContactMark, time_code: float) -> Iterator[Mark]:
+def _contact(contact: ContactMark, time_code: float, numbered: float) -> Iterator[Mark]:
+    """Yield one contact, with its number where it is stronger than that."""
     guide, color, strong = contact.guide, contact.color, _strength(contact, time_code)
     far = strong <= _PALE
     if len(guide.sole):
@@ -39,8 +43,9 @@ def _contact(contact: ContactMark, time_code: float) -> Iterator[Mark]:
             yield Spot(point, "held", color, strong, beyond=far)
     if len(guide.axis):
         yield Curve(guide.axis, color, 1.6, strong)
-    number = np.concatenate(guide.number).mean(axis=0)
-    yield Spot(number, "number", color, strong, str(contact.number), beyond=True)
+    if strong > numbered:
+        number = np.concatenate(guide.number).mean(axis=0)
+        yield Spot(number, "number", color, strong, str(contact.number), beyond=True)
 
 
 def _strength(contact: ContactMark, time_code: float) -> float:
