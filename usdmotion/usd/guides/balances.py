@@ -49,6 +49,7 @@ def _draw_center(page: Page, owner: str, places: Floats) -> Sdf.PrimSpec:
     make(center, "Xform")
     spot = over(center.layer, f"{center.path}/Spot")
     author_points(spot, np.zeros((1, 3)), page.width(_SPOT), _COLOR)
+    author_opacity(spot, 1.0)
     move(center, page.over_time(places / page.unit, page.near), None, page.near)
     return center
 
