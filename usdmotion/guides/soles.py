@@ -8,8 +8,9 @@ from usdmotion.guides.axes import sideways
 
 _UNKNOWN = 0.12
 """Length of a foot of which one point is known [m]."""
-_HALF_WIDTH, _HEEL = 0.22, 0.25
-"""Half the width of a sole, and how far its heel is behind the ankle, over the way to the ball."""
+_HALF_WIDTH, _HEEL, _TOES = 0.22, 0.2, 0.25
+"""Half the width of a sole, and how far its heel is behind the ankle and its toes are beyond the
+ball, over the way from the one to the other."""
 _CORNERS = 12
 """Of the outline about each point."""
 
@@ -29,9 +30,11 @@ def sole(points: Floats, up: Floats, height: float) -> Floats:
     flat = points @ sides.T
     along = flat - flat[0]
     length = float(np.linalg.norm(along, axis=1).max()) or _UNKNOWN
-    heel = flat[0] - _HEEL * along[1:].mean(axis=0) if len(flat) > 1 else flat[0]
+    if len(flat) > 1:
+        ahead = along[1:].mean(axis=0)
+        flat = np.concatenate([flat, flat[:1] - _HEEL * ahead, flat[:1] + (1.0 + _TOES) * ahead])
     angles = np.linspace(0.0, 2.0 * np.pi, _CORNERS, endpoint=False)
     circle = _HALF_WIDTH * length * np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    around = (np.concatenate([flat, heel[None]])[:, None] + circle).reshape(-1, 2)
+    around = (flat[:, None] + circle).reshape(-1, 2)
     outline = around[ConvexHull(around).vertices]
     return np.asarray(outline @ sides + height * up)
