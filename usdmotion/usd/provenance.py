@@ -96,10 +96,13 @@ def joined(before: Mapping[str, Any], said: Mapping[str, Any]) -> dict[str, Any]
             key: _over(value, before.get(key)) for key, value in said.items()
         }
     made = {key: value for key, value in before.items() if key in _RECORD}
-    kept = [_without(each, said["hashes"]) for each in (made, *records(before)[1:])]
-    earlier = {next(iter(each["hashes"])): each for each in kept if each.get("hashes")}
+    new = {edit for each in records(said) for edit in each["hashes"]}
+    kept = [_without(each, new) for each in (made, *records(before)[1:])]
+    earlier = {next(iter(each["hashes"])): each for each in kept if each["hashes"]}
     others = {key: value for key, value in before.items() if key not in (*_RECORD, _EARLIER)}
-    return others | dict(said) | ({_EARLIER: earlier} if earlier else {})
+    told = others | {key: _over(value, others.get(key)) for key, value in said.items()}
+    earlier |= said.get(_EARLIER, {})
+    return told | ({_EARLIER: earlier} if earlier else {})
 
 
 def _over(value: Any, before: Any) -> Any:
