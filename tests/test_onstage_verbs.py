@@ -103,14 +103,18 @@ def test_the_worst_time_is_that_of_the_report(stage: Usd.Stage) -> None:
 
 
 def test_there_is_no_worst_time_without_a_result(stage: Usd.Stage) -> None:
-    with pytest.raises(SceneError, match="there is no result of a MotionEdit; solve it first"):
+    with pytest.raises(
+        SceneError, match=r"^arm\.usda: there is no result of a MotionEdit; solve it first"
+    ):
         onstage.worst(stage, f"{EDIT}/Wrist")
     onstage.solve(stage)
-    with pytest.raises(SceneError, match="is no constraint of an edit that has a result"):
+    with pytest.raises(
+        SceneError, match=r"^arm\.usda: .* is no constraint of an edit that has a result"
+    ):
         onstage.worst(stage, EDIT)
     constraint = stage.GetPrimAtPath(f"{EDIT}/Wrist")
     constraint.GetAttribute("usdmotion:activity").Set(0.5)
-    with pytest.raises(SceneError, match="is never fully on"):
+    with pytest.raises(SceneError, match=r"^arm\.usda: .* is never fully on"):
         onstage.worst(stage, f"{EDIT}/Wrist")
 
 

@@ -140,19 +140,8 @@ def worst(stage: Stage, constraint: str) -> Worst:
     Raises:
         SceneError: It has no result, or is never fully on.
     """
-    for outcome in _outcomes(stage):
-        for edit in findings_of(outcome).edits:
-            for trace in edit.traces:
-                found = trace.verdict
-                if constraint != found.path and not constraint.startswith(f"{found.path}/"):
-                    continue
-                if found.worst_time is None:
-                    raise SceneError(f"<{found.path}> is never fully on, so that nothing judges it")
-                left = (found.max, found.unit, trace.tolerance, found.met)
-                return Worst(found.path, found.worst_time, *left)
-    raise SceneError(
-        f"<{constraint}> is no constraint of an edit that has a result; solve it first"
-    )
+    outcomes = _outcomes(stage)
+    return _named(stage, lambda: _worst(outcomes, constraint))
 
 
 def add_position_constraint(
@@ -236,6 +225,26 @@ def report(stage: Stage, output: Path, *, say: Say = lambda _: None) -> tuple[Fi
     require_matplotlib()
     say("reading the stage")
     return tell(_outcomes(stage), usd.name_of(stage).name, output, say=say)
+
+
+def _worst(outcomes: Sequence[Outcome], constraint: str) -> Worst:
+    """Return the worst time of a constraint, which is itself or above a prim that is named."""
+    traces = (
+        trace
+        for outcome in outcomes
+        for edit in findings_of(outcome).edits
+        for trace in edit.traces
+    )
+    for trace in traces:
+        found = trace.verdict
+        if f"{constraint}/".startswith(f"{found.path}/"):
+            if found.worst_time is None:
+                raise SceneError(f"<{found.path}> is never fully on, so that nothing judges it")
+            left = (found.max, found.unit, trace.tolerance, found.met)
+            return Worst(found.path, found.worst_time, *left)
+    raise SceneError(
+        f"<{constraint}> is no constraint of an edit that has a result; solve it first"
+    )
 
 
 def _outcomes(stage: Stage) -> list[Outcome]:
