@@ -60,8 +60,11 @@ def test_a_foot_leaves_a_print_and_anything_else_its_points():
 
 
 def test_of_many_contacts_only_those_are_numbered_that_are_on():
-    later = [contact(each, times=(40.0, 42.0, 50.0, 54.0)) for each in range(2, 30)]
-    assert number_of(contact_marks([contact(1), *later], 15.0)).text == "1"
+    times = (40.0, 42.0, 50.0, 54.0)
+    feet = [contact(each, joint="Hips/Foot", times=times) for each in range(2, 30)]
+    assert number_of(contact_marks([contact(1), *feet], 15.0)).text == "1"
+    dice = [contact(each, times=times) for each in range(2, 30)]
+    assert len([m for m in contact_marks(dice, 15.0) if isinstance(m, Spot)]) == len(dice)
 
 
 def test_where_a_prop_goes_is_drawn_once_and_what_is_on_above_what_is_not():

@@ -30,7 +30,7 @@ _THROUGH = 0.28
 """How strong a curve is where a body hides it."""
 _SMALL = 0.06
 """Longest edge of a triangle before it is cut, over the width of the picture."""
-_GROUND = 0.5
+_GROUND = 0.9
 """How much nearer a limb is taken than it is, over that edge: it stands on what it touches."""
 
 
@@ -105,7 +105,7 @@ class _Drawn:
         for mark in panel.marks:
             if isinstance(mark, Patch) and len(mark.points) > 2:
                 yield patch(mark, eye, longest)
-                yield curve(outline(mark), eye, fineness, 1.6 * longest)
+                yield curve(outline(mark), eye, fineness, 0.7 * longest)
             elif isinstance(mark, Curve) and not mark.dashed:
                 # Of two that are at one place the stronger is seen.
                 yield curve(mark, eye, fineness, (0.6 + 0.9 * mark.opacity) * longest)

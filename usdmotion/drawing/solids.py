@@ -14,7 +14,7 @@ _PALE = 0.6
 """How strong the colour is of what goes beyond the panel."""
 _BEHIND = 2.0
 """How much farther away than it is what things stand on is taken, over the longest edge."""
-_LIFT = 1.5
+_LIFT = 0.6
 """How much nearer than it is what lies on a ground is taken, over the longest edge."""
 
 

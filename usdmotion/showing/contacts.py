@@ -9,8 +9,8 @@ from usdmotion.guides import ContactMark
 
 _PALE = 0.3
 """How strong a contact is that is not on."""
-_FEW = 12
-"""Of more contacts only those are numbered that are on."""
+_FEW = 8
+"""Of more contacts of joints, which are near each other, only those are numbered that are on."""
 _AREA = 0.5
 """How strong the area of a footprint is, over the contact's."""
 
@@ -26,7 +26,7 @@ def contact_marks(contacts: Sequence[ContactMark], time_code: float) -> tuple[Ma
     """
     props = {each.object: each for each in contacts if not each.held.joint}
     ways = [Curve(each.held.course, each.color, 0.7, _PALE) for each in props.values()]
-    numbered = 0.0 if len(contacts) <= _FEW else _PALE
+    numbered = 0.0 if sum(bool(each.held.joint) for each in contacts) <= _FEW else _PALE
     # What is on is drawn over what is not.
     ordered = sorted(contacts, key=lambda each: _strength(each, time_code))
     return (*ways, *(mark for each in ordered for mark in _contact(each, time_code, numbered)))
