@@ -4,11 +4,13 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
-from usdmotion import Constraint, Goal, Motion, PositionConstraint
+from usdmotion import Constraint, Goal, Motion, PositionConstraint, guiding
+from usdmotion.arrays import Floats
 from usdmotion.humanoid import recognize
 from usdmotion.kernels import from_vector, multiply
 from usdmotion.outcome import Outcome, Record
@@ -113,3 +115,47 @@ class Outcomes:
 @pytest.fixture
 def outcome() -> Outcomes:
     return Outcomes()
+
+
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """The guides of a stage, in the world and in metres."""
+
+    stage: Any
+
+    def points(self, path: str, code: float = 0.0) -> Floats:
+        """Return the points of a guide at a time code."""
+        from pxr import UsdGeom
+
+        prim = self.stage.GetPrimAtPath(path)
+        points = np.array(UsdGeom.PointBased(prim).GetPointsAttr().Get(code))
+        matrix = np.array(UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(code))
+        unit = UsdGeom.GetStageMetersPerUnit(self.stage)
+        return (points @ matrix[:3, :3] + matrix[3, :3]) * unit
+
+    def off(self, path: str, places: Floats) -> Floats:
+        """Return how far each of some places is from a curve [m]."""
+        curve = self.points(path)
+        starts, along = curve[:-1], np.diff(curve, axis=0)
+        squares = np.maximum((along**2).sum(axis=1), 1e-30)
+        shares = ((places[:, None] - starts) * along).sum(axis=2) / squares
+        nearest = starts + np.clip(shares, 0.0, 1.0)[..., None] * along
+        return np.linalg.norm(nearest - places[:, None], axis=2).min(axis=1)
+
+    @property
+    def size(self) -> int:
+        """Of its file, in bytes."""
+        return Path(self.stage.GetRootLayer().realPath).stat().st_size
+
+
+@pytest.fixture(scope="session")
+def drawn() -> Callable[[Path, Path], Drawn]:
+    """Return what draws guides over a stage into a file."""
+
+    def run(shot: Path, output: Path) -> Drawn:
+        from pxr import Usd
+
+        guiding.guides(shot, output)
+        return Drawn(Usd.Stage.Open(str(output)))
+
+    return run

@@ -1,6 +1,7 @@
 """2005, figures 1 and 14: eight bodies fight in pairs, each looking at the other as he is now."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -204,3 +205,15 @@ def test_who_wards_off_looks_at_the_ankle_as_it_is_now(tmp_path):
     apart = np.abs(kicked[late] - let_go[late])
     for path in ("/Fight/White1/Skeleton", "/Fight/Red1/Skeleton"):
         assert apart[scene.nodes(path)].max() > 0.01
+
+
+def test_what_is_drawn_of_it_is_where_they_are(everybody, fought, takes, drawn, tmp_path):
+    guides = drawn(Path(fought[1].GetRootLayer().realPath), tmp_path / "guides.usda")
+    for attacker, _ in bouts(everybody):
+        edit, take = f"{attacker.path}/Fight", takes[attacker.name]
+        way = take.point("RightFoot")
+        assert guides.off(f"{edit}/RightStands/Guides/After", way).max() < 3e-3
+        for frame in np.flatnonzero(during(attacker, fight.STRUCK)):
+            marker = guides.points(f"{edit}/Kick/Guides/Opponent/Marker", take.times[frame])
+            assert np.linalg.norm(marker.mean(axis=0) - way[frame]) < 3e-3
+    assert guides.size < 600_000

@@ -82,3 +82,20 @@ def test_without_the_constraint_the_centre_of_mass_leaves_its_supports(clip, kep
     )
     assert without >= 2.0 * with_it
     assert without >= 10.0
+
+
+def test_what_is_drawn_of_it_is_where_it_is(clip, kept, keys, tmp_path, drawn):
+    composed = kept.edit_layer.with_name(kept.edit_layer.name.replace(".edit.", ".shot."))
+    guides = drawn(composed, tmp_path / "guides.usda")
+    edit = f"{clip.skeleton}/Edit"
+    for name, take in (("Before", kept.before), ("After", kept.after)):
+        way = take.point(clip.token(WRIST))
+        assert guides.off(f"{edit}/Wrist/Guides/{name}", way).max() < 3e-3
+    middle = int(np.flatnonzero(clip.within(keys))[4])
+    code, masses = kept.after.times[middle], kept.after.center_of_mass(clip.body)
+    (place,) = guides.points(f"{edit}/Balance/Guides/CenterOfMass/Spot", code)
+    assert np.linalg.norm(place - masses[middle]) < 3e-3
+    wrist = kept.after.point(clip.token(WRIST))[middle]
+    marker = guides.points(f"{edit}/Wrist/Guides/Reach/Marker", code).mean(axis=0)
+    assert np.linalg.norm(marker - wrist) < 6e-3
+    assert guides.size < composed.with_name(kept.edit_layer.name).stat().st_size
