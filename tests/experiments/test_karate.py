@@ -69,7 +69,7 @@ def test_with_one_priority_the_planted_foot_moves(demo, solve):
     assert planted_moved(solve(demo("karate_weighted"), SKELETON)) >= 20.0
 
 
-@pytest.mark.parametrize("height", [0.8, 0.9, 1.05, 1.2])
+@pytest.mark.parametrize("height", karate.HEIGHTS)
 def test_heights_within_reach_are_reached(kicked, height):
     solved = kicked(height)
     assert ankle_missed(solved, height) <= 0.05

@@ -7,6 +7,7 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Region, RegionConstraint
 from usdmotion.demos.body import solids
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import Walk
 from usdmotion.demos.performances import talk
 from usdmotion.demos.walker import SKELETON, seconds, token, write_walk
@@ -66,3 +67,9 @@ def _above(talking: Walk, side: str) -> list[RegionConstraint]:
         above("Wrist", WRIST, np.zeros(3), 1),
         above("Fingers", FINGERS, fingers(talking, side), 2),
     ]
+
+
+PICTURE = Figure(
+    "2005, figure 6: who talks with hands on thighs does so with hands above a table",
+    frames=(1.0, 25.0, 41.0, 52.0, 69.0),
+)

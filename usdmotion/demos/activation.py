@@ -23,6 +23,7 @@ from usdmotion.constraints import (
     RegionConstraint,
     TrajectoryConstraint,
 )
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.gait import Walk, walk
 from usdmotion.demos.walker import SKELETON, feet, seconds, token, write_walk
 from usdmotion.kernels import forward, from_vector
@@ -116,3 +117,11 @@ def _trajectory(walking: Walk, joint: str) -> Floats:
     motion = walking.motion
     positions, _ = forward(walking.skeleton.parents, motion.translations, motion.rotations)
     return np.asarray(positions[:, walking.joint(joint)])
+
+
+PICTURE = Figure(
+    "2004, section 5.2: constraints are switched on and off",
+    frames=(25.0, 37.0, 49.0, 67.0, 85.0, 97.0),
+    answers=tuple(Answer(name, variant=name) for name in ("position", "trajectory", "contact")),
+    before=False,
+)

@@ -6,6 +6,7 @@ import numpy as np
 
 from usdmotion.constraints import CenterOfMassConstraint
 from usdmotion.curves import ease
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import walk
 from usdmotion.demos.walker import SKELETON, feet, seconds, write_walk
 
@@ -29,3 +30,10 @@ def build(output: Path) -> None:
         displacement=wind[:, None] * LEAN,
     )
     write_walk(output, walking, "AgainstTheWind", [*planted, lean])
+
+
+PICTURE = Figure(
+    "2004, section 4: the centre of mass is ahead of where it would be",
+    frames=(25.0, 43.0, 61.0, 79.0, 97.0, 115.0),
+    views=("side",),
+)

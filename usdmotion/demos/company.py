@@ -10,6 +10,7 @@ import numpy as np
 from usdmotion import usd
 from usdmotion.arrays import Floats
 from usdmotion.constraints import ContactConstraint
+from usdmotion.demos.figures import Answer
 from usdmotion.demos.gait import Walk
 from usdmotion.demos.people import Person
 from usdmotion.demos.walker import FIRST, RATE
@@ -44,6 +45,23 @@ class Member:
     def path(self, root: str) -> str:
         """Return the path of its SkelRoot."""
         return f"/{root}/{self.name}/Body" if self.z_up else f"/{root}/{self.name}"
+
+
+def one_by_one(root: str, source: str, others: Sequence[str]) -> tuple[Answer, ...]:
+    """Return rows that show who moves, and then each of the others alone, with that motion.
+
+    Args:
+        root: Name of the default prim.
+        source: Name of who moves.
+        others: Names of the others.
+    """
+    everybody = {source, *others}
+    retarget = f"usdmotion retarget {{stage}} {{stage}} --source /{root}/{source}/Skeleton"
+    steps = {each: f"{retarget} --skeleton /{root}/{each}/Skeleton" for each in others}
+    return tuple(
+        Answer(each, hidden=tuple(sorted(everybody - {each})), steps=(step,))
+        for each, step in {source: "usdmotion inspect {stage}", **steps}.items()
+    )
 
 
 def write_company(output: Path, root: str, members: Iterable[Member]) -> None:

@@ -8,7 +8,8 @@ from pathlib import Path
 
 from usdmotion.demos.acrobatics import crawl
 from usdmotion.demos.body import Proportions
-from usdmotion.demos.company import Member, held, write_company
+from usdmotion.demos.company import Member, held, one_by_one, write_company
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.people import person
 
 HEIGHT = 1.7
@@ -40,3 +41,12 @@ def others() -> Iterator[Member]:
         ("ShortArms", Proportions(arms=0.85)),
     ):
         yield Member.at_rest(name, person(HEIGHT, proportions=proportions, rest="down"))
+
+
+PICTURE = Figure(
+    "2005, section 11: hands and knees carry, on other limbs",
+    frames=(1.0, 22.0, 44.0, 66.0, 87.0),
+    views=("side",),
+    answers=one_by_one(ROOT, "Crawler", [member.name for member in others()]),
+    before=False,
+)

@@ -10,6 +10,7 @@ from pathlib import Path
 from usdmotion.demos.body import Proportions
 from usdmotion.demos.company import Member, held, write_company
 from usdmotion.demos.dancing import dance, stands
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.people import Person, person
 
 HEIGHT = 1.7
@@ -80,3 +81,19 @@ def _people() -> dict[str, tuple[Person, bool]]:
             False,
         ),
     }
+
+
+PICTURE = Figure(
+    "2005, section 6: one dance, five bodies",
+    frames=(22.0, 43.0, 64.0),
+    views=("side",),
+    answers=(
+        Answer(
+            steps=tuple(
+                f"usdmotion retarget {{stage}} {{stage}} --source {SKELETON} --skeleton {other}"
+                for other in skeletons()
+            ),
+        ),
+    ),
+    before=False,
+)

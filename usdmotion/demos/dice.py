@@ -8,6 +8,7 @@ import numpy as np
 
 from usdmotion import usd
 from usdmotion.arrays import Floats
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.rolling import CORNERS, EDGE, RATE, Roll, Rolled
 from usdmotion.kernels import conjugate, from_vector, multiply
 
@@ -119,3 +120,10 @@ def _outlines() -> Iterator[Floats]:
             points[:, across] = circle[::sign] + _APART * np.array(place)
             points[:, axis] = sign * (0.5 + _PROUD)
             yield np.round(EDGE * points, _DIGITS)
+
+
+PICTURE = Figure(
+    "2006, section 8.1: two dice, and what they roll over",
+    frames=(10.0, 20.0, 36.0, 52.0, 71.0, 106.0),
+    before=False,
+)

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from usdmotion.constraints import Goal, PositionConstraint
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import walk
 from usdmotion.demos.walker import SKELETON, seconds, token, write_walk
 
@@ -36,3 +37,9 @@ def build(output: Path) -> None:
         )
     ]
     write_walk(output, walking, "ElbowAndWrist", constraints)
+
+
+PICTURE = Figure(
+    "2003, figure 1: an elbow has its place, and the wrist does what it still can",
+    frames=(25.0, 43.0, 61.0, 73.0, 85.0, 103.0),
+)

@@ -20,6 +20,7 @@ from usdmotion.constraints import (
 )
 from usdmotion.demos.fighters import Fighter, fighters
 from usdmotion.demos.fighting import RATE
+from usdmotion.demos.figures import Figure
 
 FIRST = 1.0
 """Time code of the first frame."""
@@ -187,3 +188,9 @@ def _at(other: Fighter, name: str, place: Sequence[float], times: tuple[float, .
 
 def _opponents(everybody: Sequence[Fighter]) -> list[tuple[Fighter, Fighter]]:
     return [(own, everybody[index ^ 1]) for index, own in enumerate(everybody)]
+
+
+PICTURE = Figure(
+    "2005, figures 1 and 14: kicks are warded off, punches are ducked",
+    frames=(30.0, 56.0),
+)

@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from usdmotion.constraints import Goal, PositionConstraint
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import walk
 from usdmotion.demos.walker import SKELETON, feet, seconds, token, write_walk
 
@@ -39,3 +40,9 @@ def build(output: Path) -> None:
         for side, goals in (("Right", (point,)), ("Left", (raised, outward)))
     ]
     write_walk(output, walking, "Goals", [*feet(walking, priority=1), *wrists])
+
+
+PICTURE = Figure(
+    "2003, figures 4 and 5: a place (right), offsets that overlap (left)",
+    frames=(25.0, 33.0, 45.0, 57.0, 75.0, 97.0, 129.0),
+)

@@ -7,6 +7,7 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint, Goal, PositionConstraint
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.gait import Walk
 from usdmotion.demos.performances import reach
 from usdmotion.demos.walker import SKELETON, balance, feet, seconds, token, write_walk
@@ -41,3 +42,11 @@ def wrist(reaching: Walk, place: Floats) -> PositionConstraint:
         priority=3,
         goals=(Goal(path="Thing", translation=place, times=tuple(map(seconds, FRAMES))),),
     )
+
+
+PICTURE = Figure(
+    "2005, figure 12: a far thing is taken, in balance and without; another is too far",
+    frames=(14.0, 25.0, 40.0, 54.0, 66.0),
+    views=("side",),
+    answers=tuple(Answer(name, variant=name) for name in ("balanced", "unbalanced", "unreachable")),
+)

@@ -7,6 +7,7 @@ import numpy as np
 from usdmotion.arrays import Floats
 from usdmotion.demos.body import Proportions
 from usdmotion.demos.company import Member, write_company
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import walk
 from usdmotion.demos.people import Person, person
 from usdmotion.humanoid import PartMap
@@ -65,3 +66,10 @@ def grow() -> Motion:
             place = positions[during, joint].mean(axis=0)
             prints.append(Footprint(who.parts[joint], each.start, each.end, place))
     return stand(motion, still, small, prints, up=UP).motion
+
+
+PICTURE = Figure(
+    "2005, section 6: a child grows while it walks",
+    frames=(1.0, 17.0, 33.0, 49.0, 65.0, 81.0, 97.0),
+    views=("side",),
+)

@@ -8,7 +8,8 @@ from pathlib import Path
 
 from usdmotion.demos.acrobatics import handstand
 from usdmotion.demos.body import Proportions
-from usdmotion.demos.company import Member, held, write_company
+from usdmotion.demos.company import Member, held, one_by_one, write_company
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.people import person
 
 HEIGHT = 1.7
@@ -37,3 +38,12 @@ def others() -> Iterator[Member]:
     """Yield those who are to do it too, at rest."""
     for name, arms in (("LongArms", 1.25), ("ShortArms", 0.8)):
         yield Member.at_rest(name, person(HEIGHT, proportions=Proportions(arms=arms), rest="A"))
+
+
+PICTURE = Figure(
+    "2005, section 11: hands carry, on arms that are longer or shorter",
+    frames=(1.0, 22.0, 44.0, 65.0, 87.0, 109.0),
+    views=("side",),
+    answers=one_by_one(ROOT, "Acrobat", [member.name for member in others()]),
+    before=False,
+)

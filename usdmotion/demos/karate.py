@@ -2,11 +2,13 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from usdmotion.constraints import Constraint, Goal, PositionConstraint
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.gait import Walk
 from usdmotion.demos.kick import kick
 from usdmotion.demos.walker import SKELETON, balance, feet, seconds, token, write_walk
@@ -15,6 +17,8 @@ AHEAD = (-0.03, 0.85)
 """Where the kicking ankle is to be: to the left, and ahead [m]."""
 UNREACHABLE = 1.9
 """A height at which it cannot be [m]."""
+HEIGHTS = (0.8, 0.9, 1.05, 1.2)
+"""Heights at which it can be [m]."""
 FRAMES = (21.0, 34.0, 35.0, 54.0)
 """It leaves its trajectory, is there, leaves, is back."""
 
@@ -61,3 +65,23 @@ def planted(kicking: Walk) -> list[PositionConstraint]:
     left = [each for each in feet(kicking, priority=1) if each.path.startswith("Left")]
     # Heel and ball leave the foot free to roll about their line; the ankle does not.
     return [*left, replace(left[0], path="LeftAnkle", point=np.zeros(3))]
+
+
+PICTURE = Figure(
+    "2004, figure 5: a kick that cannot get there, on a foot that stands and in balance",
+    frames=(17.0, 24.0, 29.0, 34.0, 44.0, 54.0),
+    answers=(
+        Answer("priorities"),
+        Answer("no balance", without=("Balance",)),
+        Answer("weights", build=build_weighted),
+    ),
+)
+MORE_PICTURES = {
+    "karate_heights": Figure(
+        "2004, figure 6: kicks to other heights",
+        frames=(27.0, 34.0, 44.0),
+        answers=tuple(
+            Answer(f"{height:g} m", build=partial(build, height=height)) for height in HEIGHTS
+        ),
+    )
+}

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from usdmotion.constraints import Constraint, Goal, PositionConstraint
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import Walk
 from usdmotion.demos.karate import planted
 from usdmotion.demos.kick import kick
@@ -76,3 +77,9 @@ def asked(kicking: Walk) -> Sequence[Constraint]:
             )
         ),
     ]
+
+
+PICTURE = Figure(
+    "Limits of joints stand above every priority",
+    frames=(10.0, 21.0, 31.0, 41.0, 49.0, 61.0),
+)

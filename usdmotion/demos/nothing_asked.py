@@ -8,6 +8,7 @@ from usdmotion.constraints import (
     OrientationConstraint,
     PositionConstraint,
 )
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import walk
 from usdmotion.demos.walker import SKELETON, feet, token, write_walk
 
@@ -34,3 +35,9 @@ def build(output: Path) -> None:
     write_walk(
         output, walking, "NothingAsked", [*feet(walking, priority=1), wrist, head, hands, balance]
     )
+
+
+PICTURE = Figure(
+    "What a walk already does is asked of it, and nothing changes",
+    frames=(1.0, 13.0, 25.0, 37.0, 49.0),
+)

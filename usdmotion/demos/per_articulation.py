@@ -17,6 +17,7 @@ from usdmotion.constraints import (
     Goal,
     PositionConstraint,
 )
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.gait import Walk
 from usdmotion.demos.performances import reach
 from usdmotion.demos.walker import SKELETON, balance, feet, seconds, token, write_walk
@@ -103,3 +104,14 @@ def wrist(reaching: Walk, place: Floats, recruits: Sequence[str]) -> PositionCon
 def _by_other_arm(reaching: Walk, over_feet: CenterOfMassConstraint) -> CenterOfMassConstraint:
     """Return the balance (2) that only the left arm may keep."""
     return replace(over_feet, recruits=tuple(token(reaching, name) for name in OTHER_ARM))
+
+
+PICTURE = Figure(
+    "2005, section 11: who of a chain moves first, and how readily",
+    frames=(22.0, 31.0, 45.0, 60.0),
+    views=("side",),
+    answers=tuple(
+        Answer(name.replace("_", " "), variant=name)
+        for name in ("usual", "stiff_arm", "locked_arm", "trunk_first")
+    ),
+)

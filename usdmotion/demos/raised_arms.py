@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from usdmotion.constraints import Goal, PositionConstraint
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import walk
 from usdmotion.demos.walker import SKELETON, seconds, token, write_walk
 
@@ -40,3 +41,10 @@ def build(output: Path) -> None:
         )
     ]
     write_walk(output, walking, "RaisedArms", raised)
+
+
+PICTURE = Figure(
+    "2003, figure 7: wrists and elbows at places in the frame of the thorax",
+    frames=(13.0, 31.0, 49.0, 67.0, 85.0, 109.0),
+    views=("front",),
+)

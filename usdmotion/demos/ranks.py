@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from usdmotion.constraints import Constraint, Goal, PositionConstraint
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.gait import Walk, walk
 from usdmotion.demos.walker import SKELETON, feet, token, write_walk
 
@@ -41,3 +42,13 @@ def conflict(walking: Walk, ranks: tuple[int, int, int]) -> list[Constraint]:
         *feet(walking, priority=high),
         wants("Elbow", "LeftForeArm", low, -0.3),
     ]
+
+
+PICTURE = Figure(
+    "2004, section 6: priorities 2, 10, 15 and 1, 2, 3 are the same",
+    frames=(1.0, 13.0, 25.0, 37.0, 49.0),
+    answers=(
+        Answer("2, 10, 15", variant="far_apart"),
+        Answer("1, 2, 3", variant="one_two_three"),
+    ),
+)

@@ -6,6 +6,7 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint, Goal, PositionConstraint
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.gait import Walk, walk
 from usdmotion.demos.walker import SKELETON, balance, feet, seconds, token, write_walk
 
@@ -37,3 +38,10 @@ def wrist(walking: Walk, target: Floats) -> PositionConstraint:
         priority=2,
         goals=(Goal(path="Reach", translation=target, times=tuple(map(seconds, FRAMES))),),
     )
+
+
+PICTURE = Figure(
+    "2004, figure 3: a wrist is taken to a point, in balance and without",
+    frames=(56.0, 66.0, 76.0, 86.0, 96.0),
+    answers=(Answer(), Answer("without balance", without=("Balance",))),
+)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.gait import walk
 from usdmotion.demos.reaching import TARGET, held, wrist
 from usdmotion.demos.walker import write_walk
@@ -24,3 +25,10 @@ def build(output: Path) -> None:
         "moved": [wrist(walking, MOVED)],
     }
     write_walk(output, walking, "ReachingAgain", held(walking), variants)
+
+
+PICTURE = Figure(
+    "2004, section 6: the goal is moved after a first solve",
+    frames=(56.0, 66.0, 76.0, 86.0, 96.0),
+    answers=(Answer("first", variant="first"), Answer("moved", variant="moved")),
+)

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from usdmotion.constraints import Goal, PositionConstraint
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.gait import walk
 from usdmotion.demos.walker import SKELETON, feet, token, write_walk
 
@@ -34,3 +35,13 @@ def build(output: Path) -> None:
         goals=(Goal(mode="offset", translation=AWAY),),
     )
     write_walk(output, walking, "Recruiting", [*planted, wrist])
+
+
+PICTURE = Figure(
+    "2003, figure 2: a wrist that moves the pelvis, over feet that may not, and mended",
+    frames=(1.0, 13.0, 25.0, 37.0, 49.0),
+    answers=(
+        Answer("broken"),
+        Answer("mended", steps=("usdmotion solve {stage} --mend-recruiting",)),
+    ),
+)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import Walk, walk
 from usdmotion.demos.walker import write_walk
 from usdmotion.motion import Motion
@@ -29,3 +30,10 @@ def skate(walking: Walk) -> Walk:
 def build(output: Path) -> None:
     """Write the stage."""
     write_walk(output, skate(walk(seconds=3.0)), "", ())
+
+
+PICTURE = Figure(
+    "2006, figure 7: feet that skate, and stand where they are found to",
+    frames=(4.0, 10.0, 16.0, 29.0, 36.0, 42.0),
+    views=("side",),
+)

@@ -12,6 +12,7 @@ from usdmotion.constraints import (
     PositionConstraint,
     TrajectoryConstraint,
 )
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import Stance, Walk, walk
 from usdmotion.demos.walker import SKELETON, balance, feet, token, write_walk
 from usdmotion.kernels import forward, from_vector, world_points
@@ -132,3 +133,10 @@ def _carrying(walking: Walk) -> list[Constraint]:
         goals=(level,),
     )
     return [elbow, forearm]
+
+
+PICTURE = Figure(
+    "2004, figure 7: a walk becomes one over irregular steps",
+    frames=(1.0, 25.0, 49.0, 73.0, 97.0, 121.0, 145.0),
+    views=("side",),
+)

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from usdmotion.constraints import Constraint, Goal, PositionConstraint
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.gait import Walk, walk
 from usdmotion.demos.walker import SKELETON, feet, seconds, token, write_walk
 
@@ -46,3 +47,11 @@ def build_weighted(output: Path) -> None:
     walking = walk()
     alike = [replace(each, priority=1) for each in asked(walking)]
     write_walk(output, walking, "SteppingWeighted", alike)
+
+
+PICTURE = Figure(
+    "2004, figure 4: an ankle rises against footplants, by priority and by weight",
+    frames=(63.0, 70.0, 78.0, 88.0, 97.0),
+    views=("side",),
+    answers=(Answer("priorities"), Answer("weights", build=build_weighted)),
+)

@@ -14,6 +14,7 @@ from usdmotion.constraints import (
     OrientationConstraint,
     PositionConstraint,
 )
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import Walk, walk
 from usdmotion.demos.walker import SKELETON, balance, feet, token, write_walk
 from usdmotion.kernels import from_vector
@@ -46,3 +47,9 @@ def asked(walking: Walk) -> list[Constraint]:
     wrist = reach("Wrist", "LeftHand", 3, (0.9, 0.3, 0.6))
     elbow = reach("Elbow", "LeftForeArm", 4, (0.2, -0.3, 0.2))
     return [*planted, balance(planted, priority=2), wrist, elbow, head]
+
+
+PICTURE = Figure(
+    "2004, section 3: five ranks, of which the last get nothing",
+    frames=(1.0, 13.0, 25.0, 37.0, 49.0),
+)

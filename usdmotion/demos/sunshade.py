@@ -7,6 +7,7 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Goal, PositionConstraint
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import Walk, walk
 from usdmotion.demos.walker import SKELETON, seconds, token, write_walk
 from usdmotion.kernels import from_vector, multiply
@@ -57,3 +58,9 @@ def looking_around(walking: Walk) -> Walk:
     head = walking.joint("Head")
     rotations[:, head] = multiply(rotations[:, head], from_vector(turns))
     return replace(walking, motion=Motion(motion.times, motion.translations, rotations))
+
+
+PICTURE = Figure(
+    "2003, figure 8: a hand shades the eyes",
+    frames=(33.0, 42.0, 55.0, 74.0, 97.0, 106.0),
+)

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.gait import Walk
 from usdmotion.demos.kick import guard, turned_foot
 from usdmotion.demos.walker import write_walk
@@ -37,3 +38,15 @@ def downs() -> list[tuple[int, int]]:
 def build(output: Path) -> None:
     """Write the stage."""
     write_walk(output, tap(), "Contacts", ())
+
+
+PICTURE = Figure(
+    "2006, section 9: taps that are taken for one contact, and by a slower clock",
+    frames=(15.0, 19.0, 23.0, 27.0, 31.0),
+    views=("side",),
+    answers=(
+        Answer("usual", steps=("usdmotion detect {stage} --joints RightToeBase",)),
+        Answer("slower clock"),
+    ),
+    before=False,
+)

@@ -9,6 +9,7 @@ import numpy as np
 from usdmotion import usd
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint, ContactConstraint, Region
+from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import Walk, walk
 from usdmotion.demos.gait.stance import FOOT_FLAT, HEEL_STRIKE
 from usdmotion.demos.gait.walking import cycle_rate
@@ -110,3 +111,10 @@ def _author_meshes(stage: Any) -> None:
     corners = (index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:])
     quads = np.stack([each.ravel() for each in corners], axis=1)
     usd.author_mesh(stage, f"{GROUND}/Bumps", points, quads.tolist(), color=_GRASS)
+
+
+PICTURE = Figure(
+    "2005, figure 9: a walk on level ground goes over a slope, down steps, and over bumps",
+    frames=(19.0, 43.0, 61.0, 73.0, 91.0, 108.0, 133.0),
+    views=("side",),
+)

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.grasp import wrist
 from usdmotion.demos.performances import reach
 from usdmotion.demos.walker import write_walk
@@ -20,3 +21,11 @@ def build(output: Path) -> None:
     reaching = reach()
     asked = {name: [wrist(reaching, place)] for name, place in PLACES.items()}
     write_walk(output, reaching, "TrunkLast", [], asked, solver="ccd")
+
+
+PICTURE = Figure(
+    "2005, section 9: what the arm reaches it reaches alone; the trunk does the rest",
+    frames=(14.0, 25.0, 40.0, 54.0, 66.0),
+    views=("side",),
+    answers=tuple(Answer(name, variant=name) for name in PLACES),
+)

@@ -5,6 +5,7 @@ from pathlib import Path
 from usdmotion.arrays import Floats
 from usdmotion.constraints import DistanceConstraint
 from usdmotion.demos.body import solids
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.gait import Walk
 from usdmotion.demos.performances import carry
 from usdmotion.demos.walker import SKELETON, seconds, token, write_walk
@@ -46,3 +47,10 @@ def apart(carrying: Walk, width: float) -> DistanceConstraint:
         other_point=palm(carrying, "Right"),
         distance=width,
     )
+
+
+PICTURE = Figure(
+    "2005, section 5: one motion of two hands holds nothing, or boxes of three sizes",
+    frames=(25.0, 46.0, 63.0),
+    answers=tuple(Answer(name.replace("_", " "), variant=name) for name in WIDTHS),
+)

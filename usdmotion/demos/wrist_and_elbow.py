@@ -7,6 +7,7 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint, Goal, PositionConstraint
+from usdmotion.demos.figures import Answer, Figure
 from usdmotion.demos.gait import Walk
 from usdmotion.demos.performances import reach
 from usdmotion.demos.walker import SKELETON, seconds, token, write_walk
@@ -47,3 +48,10 @@ def both(reaching: Walk, elbow: Floats) -> Sequence[Constraint]:
             ("RightElbow", fore, 2, (upper, fore), elbow),
         )
     ]
+
+
+PICTURE = Figure(
+    "2005, figure 13: both are met, or the wrist and as much of the elbow as there can be",
+    frames=(23.0, 34.0, 45.0, 57.0),
+    answers=tuple(Answer(name, variant=name) for name in ELBOWS),
+)

@@ -114,11 +114,11 @@ class Picture:
         head = f'<svg {names} width="{wide:g}pt" height="{tall:g}pt" stroke-linejoin="round" '
         return (self.svg().replace("<svg ", head, 1) + "\n").encode()
 
-    def png(self) -> bytes:
-        """Return it as PNG of few colours; the same picture is the same bytes."""
+    def png(self, dpi: float = 160.0) -> bytes:
+        """Return it as PNG of few colours, so many pixels an inch; the same bytes each time."""
         from usdmotion.drawing.pixels import of_few_colors
 
-        return of_few_colors(_saved(self.figure, "png", {"Software": None}))
+        return of_few_colors(_saved(self.figure, "png", {"Software": None}, dpi))
 
 
 @contextmanager
@@ -197,7 +197,7 @@ def time_axis(axes: "Axes", time_codes: Floats, *, label: bool = True) -> None:
         axes.tick_params(labelbottom=False)
 
 
-def _saved(drawn: "Figure", kind: str, metadata: dict[str, None]) -> bytes:
+def _saved(drawn: "Figure", kind: str, metadata: dict[str, None], dpi: float = 72.0) -> bytes:
     held = BytesIO()
-    drawn.savefig(held, format=kind, metadata=metadata, dpi=160.0 if kind == "png" else 72.0)
+    drawn.savefig(held, format=kind, metadata=metadata, dpi=dpi)
     return held.getvalue()

@@ -48,6 +48,7 @@ from usdmotion.usd.shot import Result, Shot
 from usdmotion.usd.shown_results import author_shown, is_shown
 from usdmotion.usd.stages import Stage, name_of, require_composed
 from usdmotion.usd.variants import variant
+from usdmotion.usd.varying import vary
 from usdmotion.usd.writing import Draw, compose, put, require_composable, write
 
 __all__ = [
@@ -102,6 +103,7 @@ __all__ = [
     "solved_edits",
     "unsolved_edits",
     "variant",
+    "vary",
     "write",
     "write_capture",
     "write_normalized",
