@@ -103,14 +103,10 @@ class Scenery:
             if not (each.sketch and each.skeleton in self._mannequins)
         )
 
-    def lowest(self, up: Floats) -> float:
-        """Return how high the lowest of all that moves gets, infinity where nothing does [m]."""
-        return min((float((points @ up).min()) for points in self.places()), default=np.inf)
-
     def places(self) -> Iterator[Floats]:
-        """Yield where joints of bodies are, or else the points of what a panel has to show [m]."""
+        """Yield where joints of bodies are time by time, or else the points of what moves [m]."""
         for each in self.bodies:
-            yield each.pose[0].reshape(-1, 3)
+            yield from each.pose[0]
         if not self.bodies:
             for surface in (each for row in self.surfaces for each in row):
                 if surface.path in self._moving:
@@ -126,7 +122,7 @@ class Scenery:
         under = [each for each in still if each.path not in moving]
         if lies_under(under, np.concatenate(places), up):
             return None
-        lowest = self.lowest(up)
+        lowest = float(np.median([(each @ up).min() for each in places]))
         legs = [each.character.leg_length for each in self.bodies]
         low, high = (share * max(legs, default=0.0) for share in _STANDING)
         return 0.0 if low <= lowest <= high else lowest
