@@ -121,6 +121,30 @@ def shifted() -> Usd.Stage:
     return stage
 
 
+def instanced() -> Usd.Stage:
+    """Return two instances of the arm, one of which has a motion of its own."""
+    beneath = arm()
+    stage = Usd.Stage.CreateInMemory()
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    layer.TransferContent(beneath.GetRootLayer())
+    still = UsdSkel.Animation.Define(stage, "/Straight")
+    still.CreateJointsAttr(["a", "a/b", "a/b/c"])
+    still.CreateTranslationsAttr([(0, 0, 0), (3, 0, 0), (2, 0, 0)])
+    still.CreateScalesAttr([(1, 1, 1)] * 3)
+    still.CreateRotationsAttr([Gf.Quatf(1.0)] * 3)
+    skeleton = layer.GetPrimAtPath("/Arm/Skeleton")
+    skeleton.RemoveProperty(skeleton.relationships["skel:animationSource"])
+    clip = stage.DefinePrim("/Clip")
+    clip.GetReferences().AddReference(layer.identifier, "/Arm/Skeleton/Animation")
+    for name, source in (("Moved", "/Clip"), ("Still", "/Straight")):
+        above = UsdSkel.Root.Define(stage, f"/Set/{name}").GetPrim()
+        above.GetReferences().AddReference(layer.identifier, "/Arm")
+        above.SetInstanceable(True)
+        UsdSkel.BindingAPI.Apply(above).CreateAnimationSourceRel().SetTargets([Sdf.Path(source)])
+    return stage
+
+
 def rigid() -> Usd.Stage:
     """Return the arm with a cube that one joint carries whole."""
     stage = arm()
@@ -140,12 +164,13 @@ STAGES: dict[str, Callable[[], Usd.Stage]] = {
     "dual quaternions": lambda: arm(method="dualQuaternion"),
     "blend shapes": shaped,
     "layer offset": shifted,
+    "instances": instanced,
 }
 
 
 def baked(stage: Usd.Stage, code: float) -> dict[str, np.ndarray]:
     """Return world points [m] of the meshes, with skinning baked into them by UsdSkel."""
-    copy = Usd.Stage.Open(stage.Flatten())
+    copy = Usd.Stage.Open(Usd.Stage.Open(_singled(stage)).Flatten())
     unit = UsdGeom.GetStageMetersPerUnit(stage)
     interval = Gf.Interval(code, code)
     meshes = [prim for prim in copy.Traverse() if prim.IsA(UsdGeom.Mesh)]
@@ -158,6 +183,16 @@ def baked(stage: Usd.Stage, code: float) -> dict[str, np.ndarray]:
         matrix = np.array(UsdGeom.XformCache(code).GetLocalToWorldTransform(prim))
         found[str(prim.GetPath())] = unit * (points @ matrix[:3, :3] + matrix[3, :3])
     return found
+
+
+def _singled(stage: Usd.Stage) -> Sdf.Layer:
+    """Return the root layer of a stage without instances, in which nothing could be baked."""
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    layer.TransferContent(stage.GetRootLayer())
+    for prim in stage.Traverse():
+        if prim.IsInstance():
+            layer.GetPrimAtPath(prim.GetPath()).instanceable = False
+    return layer
 
 
 def seen(stage: Usd.Stage, code: float) -> dict[str, np.ndarray]:

@@ -17,13 +17,15 @@ class Skin:
 
     cache: UsdSkel.Cache
     """Holds what the queries are answered from."""
+    prim: Usd.Prim
+    """The Skeleton; inside an instance the query knows only what all instances share."""
     skeleton: UsdSkel.SkeletonQuery
     surface: UsdSkel.SkinningQuery
 
     @property
     def path(self) -> str:
         """Path of the Skeleton."""
-        return str(self.skeleton.GetPrim().GetPath())
+        return str(self.prim.GetPath())
 
     @property
     def joints(self) -> Ints:
@@ -51,7 +53,7 @@ class Skin:
         transforms = self.skeleton.ComputeSkinningTransforms(time)
         if not transforms:
             return None
-        space = np.array(UsdGeom.XformCache(time).GetLocalToWorldTransform(self.skeleton.GetPrim()))
+        space = np.array(UsdGeom.XformCache(time).GetLocalToWorldTransform(self.prim))
         if not UsdGeom.PointBased(self.surface.GetPrim()):
             matrix = self.surface.ComputeSkinnedTransform(transforms, time)
             moved = _under(points, np.array(Gf.Matrix4d(matrix)))
@@ -101,9 +103,10 @@ def _skins(stage: Usd.Stage) -> Iterator[Skin]:
             continue
         cache.Populate(root, _EVERYTHING)
         for binding in cache.ComputeSkelBindings(root, _EVERYTHING):
-            query = cache.GetSkelQuery(binding.GetSkeleton())
-            if query:
-                yield from (Skin(cache, query, each) for each in binding.GetSkinningTargets())
+            skeleton = binding.GetSkeleton()
+            query = cache.GetSkelQuery(skeleton)
+            for target in binding.GetSkinningTargets() if query else ():
+                yield Skin(cache, skeleton.GetPrim(), query, target)
 
 
 def _under(points: Floats, matrix: Floats) -> Floats:
