@@ -53,6 +53,20 @@ def test_what_was_is_strong_and_what_will_be_is_pale(reaching):
     assert any(np.array_equal(each, course.before[: FRAME + 1]) for each in inputs)
 
 
+def test_of_a_long_way_only_what_is_near_in_time_is_drawn(outcome):
+    wrist = PositionConstraint(
+        path=f"{HUMANOID}/Edit/Wrist", skeleton=HUMANOID, joint=outcome.token("left_wrist")
+    )
+    given = shown(outcome([wrist], frame_count=400))
+    times, course = given.scene.times, given.edits[0].courses[0]
+    for frame in (0, 200, 399):
+        near = np.flatnonzero(np.abs(times - times[frame]) < 1.99)
+        will_be, was = of_kind(Curve, marks(given, frame, after=True), color=COURSE)
+        assert len(near) <= len(will_be.points) + len(was.points) - 1 <= len(near) + 2
+        assert any((each == course.after[near[0]]).all() for each in was.points)
+        assert any((each == course.after[near[-1]]).all() for each in will_be.points)
+
+
 def test_a_goal_is_as_strong_as_it_is_on(reaching):
     given = shown(reaching(0.3))
     (goal,) = given.edits[0].goals

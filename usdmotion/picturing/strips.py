@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,15 +12,12 @@ from usdmotion.drawing.strips import Mark, Panel, Row, Strip
 from usdmotion.picturing.looking import Looked
 from usdmotion.picturing.scenery import Scenery, common_ground
 from usdmotion.picturing.views import ahead_of, camera_of
-from usdmotion.showing import Course, ShownScene
 from usdmotion.showing.contacts import contact_marks
-from usdmotion.showing.marking import marks
+from usdmotion.showing.marking import AROUND, marks
 
 if TYPE_CHECKING:
     from usdmotion.usd.seeing import Side
 
-_AROUND = 2.0
-"""How long before and after a panel's time trajectories and contacts are drawn [s]."""
 _KINDS = {"alone": "", "before": "before", "after": "after"}
 
 
@@ -66,7 +62,7 @@ def _through(side: Side, path: str, code: float) -> Eye:
 
 def _marks(looked: Looked, scenery: Scenery, code: float) -> tuple[Mark, ...]:
     """Return what is drawn over the poses at a time; nothing outside of what a scene is about."""
-    apart = _AROUND * scenery.side.facts.time_codes_per_second
+    apart = AROUND * scenery.side.facts.time_codes_per_second
     contacts = scenery.contacts
     near = [c for c in contacts if c.always or c.first - apart <= code <= c.last + apart]
     found = list(contact_marks(near, code))
@@ -76,27 +72,8 @@ def _marks(looked: Looked, scenery: Scenery, code: float) -> tuple[Mark, ...]:
         step = float(np.diff(codes).max(initial=1.0))
         if abs(codes[frame] - code) <= step:
             after = scenery.side.kind == "after"
-            found += marks(_around(shown, frame), frame, after=after)
+            found += marks(shown, frame, after=after)
     return tuple(found)
-
-
-def _around(shown: ShownScene, frame: int) -> ShownScene:
-    """Return a scene whose trajectories stay where they are some time before and after a frame.
-
-    Whoever walks to and fro for long would be hidden by where he goes.
-    """
-    times = shown.scene.times
-    first, last = np.searchsorted(times, times[frame] + np.array((-_AROUND, _AROUND)))
-    frames = np.clip(np.arange(len(times)), first, max(last - 1, first))
-
-    def cut(course: Course) -> Course:
-        after = None if course.after is None else course.after[frames]
-        return replace(course, before=course.before[frames], after=after)
-
-    edits = (
-        replace(each, courses=tuple(cut(course) for course in each.courses)) for each in shown.edits
-    )
-    return replace(shown, edits=tuple(edits))
 
 
 def _caption(looked: Looked) -> str:

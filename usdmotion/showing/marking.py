@@ -11,6 +11,8 @@ from usdmotion.guides.supports import support_guide
 from usdmotion.quality import along_ground
 from usdmotion.showing.shown import BalanceMark, Course, GoalMark, Miss, ShownEdit, ShownScene
 
+AROUND = 2.0
+"""Trajectories are drawn from so long before to so long after: who walks to and fro is seen [s]."""
 _STILL = 0.02
 """An effector that stays within this has no trajectory to be seen [m]."""
 _CHANGED = 0.01
@@ -35,13 +37,15 @@ def marks(shown: ShownScene, frame: int, *, after: bool) -> tuple[Mark, ...]:
         frame: Number of the frame.
         after: Whether the results are drawn; else the inputs.
     """
-    up = shown.scene.up
-    return tuple(mark for edit in shown.edits for mark in _of_edit(edit, up, frame, after))
+    up, times = shown.scene.up, shown.scene.times
+    ends = np.searchsorted(times, times[frame] + np.array((-AROUND, AROUND)))
+    span = slice(int(ends[0]), int(ends[1]))
+    return tuple(mark for edit in shown.edits for mark in _of_edit(edit, up, span, frame, after))
 
 
-def _of_edit(edit: ShownEdit, up: Floats, frame: int, after: bool) -> Iterator[Mark]:
+def _of_edit(edit: ShownEdit, up: Floats, span: slice, frame: int, after: bool) -> Iterator[Mark]:
     for course in _apart(edit.courses):
-        yield from _course(course, frame, after)
+        yield from _course(course, span, frame, after)
     if edit.balance is not None:
         yield from _balance(edit.balance, up, frame, after)
     missed = [each for each in edit.misses if after and each.missed[frame]]
@@ -67,7 +71,7 @@ def _latest(course: Course) -> Floats:
     return course.before if course.after is None else course.after
 
 
-def _course(course: Course, frame: int, after: bool) -> Iterator[Mark]:
+def _course(course: Course, span: slice, frame: int, after: bool) -> Iterator[Mark]:
     """Yield a trajectory: strong where the effector was, pale where it will be.
 
     One that was changed is drawn beside what it was. One that was kept is thin.
@@ -77,12 +81,12 @@ def _course(course: Course, frame: int, after: bool) -> Iterator[Mark]:
     shift = 0.0 if course.after is None else _farthest(course.after - course.before)
     changed = course.after is None or shift > _CHANGED
     if result is not None and changed:
-        yield Curve(course.before, BEFORE, 0.8, _PALE)
-    if _farthest(points - points[0]) > _STILL:
+        yield Curve(course.before[span], BEFORE, 0.8, _PALE)
+    if _farthest(points[span] - points[frame]) > _STILL:
         color = BEFORE if result is None else COURSE
         width = 1.3 if changed else 0.7
-        yield Curve(points[frame:], color, width, _PALE)
-        yield Curve(points[: frame + 1], color, width)
+        yield Curve(points[frame : span.stop], color, width, _PALE)
+        yield Curve(points[span.start : frame + 1], color, width)
 
 
 def _balance(mark: BalanceMark, up: Floats, frame: int, after: bool) -> Iterator[Mark]:
