@@ -148,8 +148,8 @@ def test_the_check_says_whether_usdview_would_find_its_menu(tmp_path, elsewhere)
     if elsewhere:
         folder = tmp_path / "usdview"
         shutil.copytree(ours, folder)
-    code = (
-        "import sys; from pxr import Plug; from usdmotion.usd import registration\n"
+    code = BARE + (
+        "from pxr import Plug; from usdmotion.usd import registration\n"
         "def tell(): print(*(registration.check()[-1].ok, registration.check()[-1].sentence))\n"
         "tell(); Plug.Registry().RegisterPlugins(sys.argv[1]); tell()"
     )
