@@ -106,3 +106,36 @@ def test_what_somebody_calls_guides_is_left_to_him(drawn_again):
     before = stage.GetRootLayer().ExportToString()
     guiding.guides_over(stage, Path("here.usda"))
     assert stage.GetRootLayer().ExportToString() == before
+
+
+def test_in_a_layer_under_an_offset_times_are_those_of_the_stage(reached, reaching):
+    layer, below = (Sdf.Layer.CreateAnonymous(".usda") for _ in range(2))
+    layer.subLayerPaths.append(below.identifier)
+    layer.subLayerPaths.append(str(reached))
+    layer.subLayerOffsets[0] = Sdf.LayerOffset(7.0, 0.5)
+    stage = Usd.Stage.Open(layer)
+    for name in ("metersPerUnit", "upAxis", "timeCodesPerSecond", "framesPerSecond"):
+        stage.SetMetadata(name, reaching.GetMetadata(name))
+    stage.SetStartTimeCode(reaching.GetStartTimeCode())
+    stage.SetEndTimeCode(reaching.GetEndTimeCode())
+    stage.SetEditTarget(stage.GetEditTargetForLocalLayer(below))
+    guiding.guides_over(stage, Path("here.usda"))
+    assert not layer.GetPrimAtPath(EDIT)
+    assert_same(everything(stage), everything(reaching))
+    opacities = [
+        each.GetAttributeAtPath(f"{WRIST}/Guides/Reach.primvars:displayOpacity")
+        for each in (stage, reaching)
+    ]
+    for code in (1.0, 55.0, 66.0, 73.0, 100.0):
+        assert opacities[0].Get(code)[0] == pytest.approx(opacities[1].Get(code)[0])
+
+
+def test_nothing_is_said_twice(reaching, carried):
+    for stage in (reaching, carried):
+        layer = stage.GetRootLayer()
+        paths = []
+        layer.Traverse("/", paths.append)
+        for path in paths:
+            codes = layer.ListTimeSamplesForPath(path) if path.IsPropertyPath() else []
+            values = {str(layer.QueryTimeSample(path, code)) for code in codes}
+            assert not codes or len(values) > 1, path
