@@ -3,6 +3,10 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Drawn
 
 
 @dataclass(frozen=True)
@@ -35,3 +39,15 @@ class Figure:
     answers: tuple[Answer, ...] = (Answer(),)
     before: bool = True
     """Whether the first row is the stage as it was built."""
+
+
+@dataclass(frozen=True)
+class Plot:
+    """A picture of curves."""
+
+    shows: str
+    """What is to be seen, and in which figure of a paper."""
+    draw: Callable[[Path], "Drawn"]
+    """Draws them from a stage."""
+    solved: bool = False
+    """Whether that is to be the stage after what `demo` says to go on by."""

@@ -8,8 +8,8 @@ from shlex import quote
 from tempfile import TemporaryDirectory
 
 from usdmotion import demos
-from usdmotion.demos.figures import Answer, Figure
-from usdmotion.drawing import drawing, strip_picture
+from usdmotion.demos.figures import Answer, Figure, Plot
+from usdmotion.drawing import Picture, drawing, strip_picture
 from usdmotion.drawing.strips import Row, Strip
 from usdmotion.picturing import look_at, strip_of
 from usdmotion.terminal import write_bytes
@@ -20,7 +20,7 @@ Run = Callable[[str], None]
 """Carries out a command as the command line does."""
 
 
-def figures(name: str) -> dict[str, Figure]:
+def figures(name: str) -> dict[str, Figure | Plot]:
     """Return the figures of a demo by the names of their pictures."""
     module = import_module(f"usdmotion.demos.{name}")
     return {name: module.PICTURE, **getattr(module, "MORE_PICTURES", {})}
@@ -45,11 +45,19 @@ def draw(
         output = stage.with_name(f"{title}.png")
         with TemporaryDirectory() as folder, drawing():
             say(f"working on {title}")
-            strip = Strip(_rows(name, figure, stage, Path(folder), run), figure.shows)
+            picture = _picture(name, figure, stage, Path(folder), run)
             say(f"drawing {output}")
-            write_bytes(strip_picture(strip, name=title).png(DPI), output)
+            write_bytes(picture.png(DPI), output)
         drawn.append(output)
     return tuple(drawn)
+
+
+def _picture(name: str, figure: Figure | Plot, stage: Path, folder: Path, run: Run) -> Picture:
+    if isinstance(figure, Figure):
+        rows = _rows(name, figure, stage, folder, run)
+        return strip_picture(Strip(rows, figure.shows), name=name)
+    shown = _answered(name, Answer(), stage, folder / name, run)[1] if figure.solved else stage
+    return Picture(name, figure.shows, figure.draw(shown))
 
 
 def _rows(name: str, figure: Figure, stage: Path, folder: Path, run: Run) -> tuple[Row, ...]:

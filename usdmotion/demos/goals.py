@@ -5,8 +5,9 @@ from pathlib import Path
 import numpy as np
 
 from usdmotion.constraints import Goal, PositionConstraint
-from usdmotion.demos.figures import Figure
+from usdmotion.demos.figures import Figure, Plot
 from usdmotion.demos.gait import walk
+from usdmotion.demos.plots.goals import goals
 from usdmotion.demos.walker import SKELETON, feet, seconds, token, write_walk
 
 POINT = np.array((-0.45, 1.15, 2.35))
@@ -46,3 +47,10 @@ PICTURE = Figure(
     "2003, figures 4 and 5: a place (right), offsets that overlap (left)",
     frames=(25.0, 33.0, 45.0, 57.0, 75.0, 97.0, 129.0),
 )
+MORE_PICTURES = {
+    "goals_activity": Plot(
+        "2003, figures 4 and 5: the activity of goals, and where wrists are taken",
+        goals,
+        solved=True,
+    )
+}

@@ -6,8 +6,9 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.constraints import Constraint, Goal, PositionConstraint
-from usdmotion.demos.figures import Answer, Figure
+from usdmotion.demos.figures import Answer, Figure, Plot
 from usdmotion.demos.gait import Walk, walk
+from usdmotion.demos.plots.swaying import sway
 from usdmotion.demos.walker import SKELETON, balance, feet, seconds, token, write_walk
 
 TARGET = np.array((0.65, 0.90, 4.25))
@@ -45,3 +46,8 @@ PICTURE = Figure(
     frames=(56.0, 66.0, 76.0, 86.0, 96.0),
     answers=(Answer(), Answer("without balance", without=("Balance",))),
 )
+MORE_PICTURES = {
+    "reaching_balance": Plot(
+        "2004, figure 1: the centre of mass of the walk, and the middle of its supports", sway
+    )
+}

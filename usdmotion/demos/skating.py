@@ -5,8 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
-from usdmotion.demos.figures import Figure
+from usdmotion.demos.figures import Figure, Plot
 from usdmotion.demos.gait import Walk, walk
+from usdmotion.demos.plots import noise, origin
 from usdmotion.demos.walker import write_walk
 from usdmotion.motion import Motion
 
@@ -37,3 +38,18 @@ PICTURE = Figure(
     frames=(4.0, 10.0, 16.0, 29.0, 36.0, 42.0),
     views=("side",),
 )
+MORE_PICTURES = {
+    "skating_noise": Plot(
+        "2006, figures 3 and 6: steps of a foot, and the noise that examples teach", noise.pattern
+    ),
+    "skating_outliers": Plot(
+        "2006, figures 4 and 5: an example that begins too early, naively and robustly",
+        noise.outliers,
+    ),
+    "skating_far": Plot(
+        "2006, figures 8 and 9: the same walk at and far from the origin", origin.far
+    ),
+    "skating_tolerance": Plot(
+        "2006, figure 10: how long a gap between contacts is bridged", origin.tolerance
+    ),
+}
