@@ -21,12 +21,16 @@ _TEXT = 6.5
 _WIDE, _TALL = 0.66, 1.2
 """About the size of a letter, over the size of the text."""
 _SIGN = 5.0
+_NUMBER = 1.5
+"""How far a number is from its place [points]."""
 _HALVES = {"held": 2.0}
 """Half of the size of signs [points], of one that is not named here the first."""
 _FAINT, _CROWDED = 0.5, 0.1
 """What is paler is left out where more than this part of it would be over something else."""
 _SIDES = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0), (1, 1), (-1, 1), (1, -1), (-1, -1))
 """To which sides something may be written, the best first."""
+_ABOVE = ((0.0, 1.0), (-1, 1), (1, 1), (1.0, 0.0), (-1.0, 0.0), (0.0, -1.0), (1, -1), (-1, -1))
+"""The same of numbers, which have no sign."""
 _STEPS = (0.0, 6.0, 14.0)
 """How much farther away it may be written, the best first [points]."""
 _OVER = 50.0
@@ -121,7 +125,7 @@ def _write(sheet: "Axes", spot: Spot, middle: Floats) -> None:
         fontsize=_TEXT,
         weight="bold",
         color=tuple(rgb(spot.color if spot.sign in ("missed", "number") else INK, spot.opacity)),
-        path_effects=[withStroke(linewidth=1.8, foreground="white")],
+        path_effects=[withStroke(linewidth=1.8, foreground="white", alpha=spot.opacity**0.5)],
         zorder=_OVER + 1.0,
     )
 
@@ -132,10 +136,10 @@ def _room(place: Floats, spot: Spot, taken: Sequence[Floats], panel: Floats) -> 
     It is the first try that is over nothing else, or over the least.
     """
     half = np.array((0.5 * _WIDE * len(spot.text), 0.5 * _TALL)) * _TEXT
-    away = half + (0.0 if spot.sign == "number" else _SIGN + 1.0)
-    tries = [step * np.array(side) + away * side for step, side in product(_STEPS, _SIDES)]
-    if spot.sign == "number":
-        tries.insert(0, np.zeros(2))
+    is_number = spot.sign == "number"
+    away = half + (_NUMBER if is_number else _SIGN + 1.0)
+    sides = _ABOVE if is_number else _SIDES
+    tries = [step * np.array(side) + away * side for step, side in product(_STEPS, sides)]
     boxes = [_box(place, offset, half) for offset in tries]
     losses = [
         sum(_common(box, other) for other in taken) + 4.0 * (_area(box) - _common(box, panel))

@@ -9,7 +9,7 @@ from usdmotion.guides import ContactMark
 
 _PALE = 0.3
 """How strong a contact is that is not on."""
-_FEW = 8
+_FEW = 6
 """Of more contacts of joints, which are near each other, only those are numbered that are on."""
 _AREA = 0.5
 """How strong the area of a footprint is, over the contact's."""
@@ -44,8 +44,10 @@ def _contact(contact: ContactMark, time_code: float, numbered: float) -> Iterato
     if len(guide.axis):
         yield Curve(guide.axis, color, 1.6, strong)
     if strong > numbered:
-        number = np.concatenate(guide.number).mean(axis=0)
-        yield Spot(number, "number", color, strong, str(contact.number), beyond=True)
+        # Guides lift the numbers of one object off each other; at a foot there is no room for it.
+        lifted = np.concatenate(guide.number)
+        place = (guide.marks if contact.held.joint else lifted).mean(axis=0)
+        yield Spot(place, "number", color, strong, str(contact.number), beyond=True)
 
 
 def _strength(contact: ContactMark, time_code: float) -> float:
