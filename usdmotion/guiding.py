@@ -88,7 +88,7 @@ def guides_over(
         contacts = usd.read_contact_marks(stage)
         if not edits and not contacts:
             raise SceneError(seen.faults[0] if seen.faults else _NOTHING)
-        usd.author_guides(stage, seen.scenes)
+        usd.author_guides(stage, seen.scenes, contacts)
         usd.author_contact_marks(stage, contacts)
     except SceneError as error:
         raise SceneError(f"{path}: {error}") from error

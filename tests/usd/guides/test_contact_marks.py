@@ -124,3 +124,14 @@ def test_a_prop_that_never_moves_may_be_held_too():
     held = UsdGeom.PointBased(stage.GetPrimAtPath("/Lies/Guides/Held")).GetPointsAttr().Get()
     np.testing.assert_allclose(np.mean(held, axis=0), (5.0, 6.0, 4.0), atol=1e-3)
     assert stage.GetPrimAtPath("/Lies/Guides/Ghost/Ball")
+
+
+def test_where_an_effector_goes_has_the_colour_of_the_contact(by_hand, solved, guided, tmp_path):
+    by_hand.GetRootLayer().Export(str(tmp_path / "held.usda"))
+    stage = guided(solved(tmp_path / "held.usda"))
+
+    def color(name):
+        return tuple(UsdGeom.Gprim.Get(stage, f"{EDIT}/{name}").GetDisplayColorAttr().Get()[0])
+
+    assert color("Stands/Guides/Held") == color("Stands/Guides/After")
+    assert color("Stands/Guides/Held") != color("LeftWrist/Guides/After")

@@ -23,7 +23,9 @@ from usdmotion.usd.layers import over, set_value
 
 CENTER = "CenterOfMass"
 SUPPORTS = "Supports"
-_COLOR, _GROUND = COLORS[5], COLORS[2]
+MASS = COLORS[5]
+"""Colour of a centre of mass."""
+_GROUND = COLORS[2]
 _SPOT, _LINE, _MARGIN = 0.025, 0.002, 0.01
 """Size of the point, thickness of its drop line, and how far the area goes around its corners, over
 the size of the body."""
@@ -36,7 +38,7 @@ def draw_balance(page: Page, mark: BalanceMark) -> None:
     owner = mark.path if mark.path in page.homes else ""
     now = mark.before if mark.after is None else mark.after
     center = _draw_center(page, owner, now)
-    draw_ways(page, owner, CENTER, mark.before, mark.after, _COLOR)
+    draw_ways(page, owner, CENTER, mark.before, mark.after, MASS)
     margin = _MARGIN * page.size * page.unit
     area = support_guide(mark.supports, mark.bearing, page.up, margin)
     if area.there.any():
@@ -48,7 +50,7 @@ def _draw_center(page: Page, owner: str, places: Floats) -> Sdf.PrimSpec:
     center = page.item(owner, CENTER)
     make(center, "Xform")
     spot = over(center.layer, f"{center.path}/Spot")
-    author_points(spot, np.zeros((1, 3)), page.width(_SPOT), _COLOR)
+    author_points(spot, np.zeros((1, 3)), page.width(_SPOT), MASS)
     author_opacity(spot, 1.0)
     move(center, page.over_time(places / page.unit, page.near), None, page.near)
     return center
@@ -69,7 +71,7 @@ def _draw_drop(page: Page, prim: Sdf.PrimSpec, places: Floats, area: SupportGuid
     lowest = (area.corners @ page.up).min(axis=1)
     below = (lowest - places @ page.up)[:, None] * page.up
     ends = np.stack([np.zeros_like(below), below], axis=1) / page.unit
-    author_curve(prim, _in_stretches(page, area, ends), page.width(_LINE), _COLOR)
+    author_curve(prim, _in_stretches(page, area, ends), page.width(_LINE), MASS)
     author_opacity(prim, 0.6)
     _hide(page, prim, area)
 

@@ -1,15 +1,15 @@
 """Guides of scenes: what was asked of each edit, what became of it, and what it started from."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from pxr import Sdf, Usd
 
 from usdmotion.arrays import Floats
-from usdmotion.guides import COLORS
+from usdmotion.guides import Color, ContactMark, another
 from usdmotion.showing.shown import ShownEdit, ShownScene
-from usdmotion.usd.guides.balances import draw_balance
+from usdmotion.usd.guides.balances import MASS, draw_balance
 from usdmotion.usd.guides.courses import draw_course, draw_miss
 from usdmotion.usd.guides.goals import draw_goals
 from usdmotion.usd.guides.pages import Page
@@ -32,7 +32,9 @@ class _Drawing:
     ghost: Ghost | None
 
 
-def author_guides(stage: Usd.Stage, shown: Sequence[ShownScene]) -> tuple[str, ...]:
+def author_guides(
+    stage: Usd.Stage, shown: Sequence[ShownScene], contacts: Sequence[ContactMark] = ()
+) -> tuple[str, ...]:
     """Draw what there is to see of some scenes, in the edit target of their stage.
 
     What was drawn of their edits before is drawn anew; what is gone is gone from the layer, and is
@@ -41,6 +43,7 @@ def author_guides(stage: Usd.Stage, shown: Sequence[ShownScene]) -> tuple[str, .
     Args:
         stage: The stage that the scenes were read from.
         shown: What there is to see of them.
+        contacts: Those of the stage; what is asked by one has the colour of what it holds.
 
     Returns:
         Paths of the prims below which something is drawn.
@@ -50,7 +53,10 @@ def author_guides(stage: Usd.Stage, shown: Sequence[ShownScene]) -> tuple[str, .
     """
     sheet, facts = Sheet(stage), read_facts(stage)
     worlds = Worlds(sheet)
-    drawings = [_drawing(worlds, scene, edit, facts) for scene in shown for edit in scene.edits]
+    colors = {mark.path: mark.color for mark in contacts}
+    drawings = [
+        _drawing(worlds, scene, edit, colors, facts) for scene in shown for edit in scene.edits
+    ]
     paths = [drawing.shown.path for drawing in drawings]
     with redrawn(sheet, _drawn_before(sheet, paths)):
         worlds.author()
@@ -60,7 +66,13 @@ def author_guides(stage: Usd.Stage, shown: Sequence[ShownScene]) -> tuple[str, .
     return tuple(home for home in homes if sheet.layer.GetPrimAtPath(home))
 
 
-def _drawing(worlds: Worlds, scene: ShownScene, edit: ShownEdit, facts: Facts) -> _Drawing:
+def _drawing(
+    worlds: Worlds,
+    scene: ShownScene,
+    edit: ShownEdit,
+    contacts: Mapping[str, Color],
+    facts: Facts,
+) -> _Drawing:
     sheet = worlds.sheet
     stage, codes = sheet.stage, scene.scene.time_codes
     prim, skeleton = stage.GetPrimAtPath(edit.path), stage.GetPrimAtPath(edit.skeleton)
@@ -76,7 +88,7 @@ def _drawing(worlds: Worlds, scene: ShownScene, edit: ShownEdit, facts: Facts) -
         up=facts.up,
         standings=standings,
         homes={owner: sheet.home(owner) for owner in owners},
-        colors={owner: COLORS[index % len(COLORS)] for index, owner in enumerate(owners)},
+        colors=_colors(owners, contacts),
     )
     ghost = read_ghost(prim, skeleton, codes, facts) if edit.solved else None
     return _Drawing(page, edit, ghost)
@@ -102,6 +114,17 @@ def _owners(edit: ShownEdit) -> list[str]:
     others = [*(each.path for each in edit.courses), *(each.path for each in edit.misses)]
     balance = [edit.balance.path] if edit.balance and edit.balance.path != edit.path else []
     return list(dict.fromkeys([*others, *goals, *balance]))
+
+
+def _colors(owners: Sequence[str], contacts: Mapping[str, Color]) -> dict[str, Color]:
+    """Return the colour of each constraint: that of its contact, else one that is used least."""
+    found = {owner: contacts[owner] for owner in owners if owner in contacts}
+    used = [MASS, *found.values()]
+    for owner in owners:
+        if owner not in found:
+            found[owner] = another(used)
+            used.append(found[owner])
+    return found
 
 
 def _drawn_before(sheet: Sheet, edits: Sequence[str]) -> list[str]:
