@@ -96,6 +96,7 @@ def test_a_camera_shows_its_frame(shots):
     stage = Usd.Stage.Open(str(shots.shot))
     camera = UsdGeom.Camera(stage.GetPrimAtPath("/Camera"))
     assert (right - left) / (top - bottom) == pytest.approx(camera.GetCamera(2.0).aspectRatio)
+    assert len({each.beyond for one in strip.rows[0].panels for each in one.surfaces}) == 1
 
 
 def test_telling_frames_are_within_the_clip_and_in_order(shots):

@@ -92,13 +92,18 @@ class Scenery:
             return "after"
         return self.side.kind if path in self.side.skeletons else "other"
 
-    def drawn(self, frame: int) -> tuple[Surface, ...]:
+    def drawn(self, frame: int, *, follows: bool) -> tuple[Surface, ...]:
         """Return the surfaces as they are drawn, without the light meshes of known bodies.
 
         Their limbs or skins show the same, and more of it.
+
+        Args:
+            frame: Number of the time.
+            follows: Whether the panel follows the bodies, so that props are passed by.
         """
+        frames = (frame,) if follows else range(len(self.surfaces))
         return tuple(
-            drawn(each, beyond=not self._is_framed(each, frame))
+            drawn(each, beyond=not any(self._is_framed(each, when) for when in frames))
             for each in self.surfaces[frame]
             if not (each.sketch and each.skeleton in self._mannequins)
         )

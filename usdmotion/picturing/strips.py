@@ -44,7 +44,7 @@ def _row(looked: Looked, scenery: Scenery, view: str, ahead: Floats, ground: flo
             title=f"{code:g}",
             eye=camera_of(view, ahead, up) if view else _through(side, looked.camera, float(code)),
             bodies=scenery.limbs(frame),
-            surfaces=scenery.drawn(frame),
+            surfaces=scenery.drawn(frame, follows=bool(view)),
             marks=_marks(looked, scenery, float(code)),
             ground=ground,
             up=(float(up[0]), float(up[1]), float(up[2])),
