@@ -68,6 +68,18 @@ def test_the_same_strip_is_the_same_bytes():
     assert (one.name, one.caption) == ("poses", "Two panels.")
 
 
+@pytest.mark.parametrize(
+    "empty",
+    [
+        {},
+        {"surfaces": (Surface(np.zeros((0, 3)), np.zeros((0, 3), dtype=np.int64), RED),)},
+        {"marks": (Curve(UP[None], "black"), Patch(UP[None], "black"))},
+    ],
+)
+def test_what_has_nothing_to_be_seen_is_drawn_empty(empty):
+    assert (pixels(strip(Panel("", FRONT, **empty))) == 1.0).all()
+
+
 def test_a_row_has_one_scale_and_its_panels_show_all_that_has_to_be_seen():
     middles = ((0.0, 0.0, 0.0), (9.0, 0.5, 0.0), (18.0, 3.0, 0.0))
     ground = square((9.0, -1.0, 0.0), 90.0, GREEN, beyond=True)

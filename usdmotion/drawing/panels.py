@@ -55,9 +55,10 @@ def draw_panel(sheet: "Axes", panel: Panel, eye: Placed) -> None:
 
 def _middle(panel: Panel) -> Floats:
     """Return the middle of what there is to be seen [m], shape (3,)."""
+    surfaces = [each for each in panel.surfaces if len(each.points)]
     there = [body.pose[0].mean(axis=0) for body in panel.bodies]
-    there += [each.points.mean(axis=0) for each in panel.surfaces if not each.beyond]
-    there += [each.points.mean(axis=0) for each in panel.surfaces[:1]] if not there else []
+    there += [each.points.mean(axis=0) for each in surfaces if not each.beyond]
+    there += [each.points.mean(axis=0) for each in surfaces[:1]] if not there else []
     return np.asarray(np.mean(there or [np.zeros(3)], axis=0))
 
 
