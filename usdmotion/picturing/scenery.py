@@ -15,7 +15,7 @@ from usdmotion.drawing.bodies import Kind
 from usdmotion.drawing.mannequin import Mannequin
 from usdmotion.drawing.strips import Body, Surface
 from usdmotion.guides import ContactMark
-from usdmotion.picturing.surfaces import drawn, lies_under
+from usdmotion.picturing.surfaces import PLAIN, drawn, lies_under
 
 if TYPE_CHECKING:
     from usdmotion.usd.seeing import SeenBody, SeenSurface, Side
@@ -28,6 +28,12 @@ _LOW = 0.12
 """What is not higher above the lowest joint than this, over the height of a body, is a ground."""
 _COVERED = 0.5
 """A skin that moves with so many of the joints that limbs hang on is drawn in their place."""
+_SKINS: dict[Kind, tuple[float, float, float]] = {
+    "before": (0.7, 0.73, 0.76),
+    "after": (0.08, 0.3, 0.56),
+    "other": (0.55, 0.34, 0.5),
+}
+"""Of a skin that says nothing of its colour, linear, as limbs are drawn."""
 _AT_REST = 1.0 - 1e-6
 """Cosine of half the angle to the rest pose, above which a joint is in it."""
 _MOVED = 1e-3
@@ -103,7 +109,11 @@ class Scenery:
         """
         frames = (frame,) if follows else range(len(self.surfaces))
         return tuple(
-            drawn(each, beyond=not any(self._is_framed(each, when) for when in frames))
+            drawn(
+                each,
+                _SKINS[self._kind(each.skeleton)] if each.skeleton else PLAIN,
+                beyond=not any(self._is_framed(each, when) for when in frames),
+            )
             for each in self.surfaces[frame]
             if not (each.sketch and each.skeleton in self._mannequins)
         )

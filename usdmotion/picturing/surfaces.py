@@ -13,17 +13,21 @@ from usdmotion.drawing.strips import Surface
 if TYPE_CHECKING:
     from usdmotion.usd.seeing import SeenSurface
 
+Color = tuple[float, float, float]
+PLAIN: Color = (0.6, 0.6, 0.6)
+"""Of a surface that says nothing of its colour, linear."""
 _MANY = 8000
 """A surface with more triangles is drawn with fewer."""
 _FINE = 0.006
 """What is nearer to each other than this is one point of it then, over its size."""
 
 
-def drawn(seen: SeenSurface, *, beyond: bool) -> Surface:
+def drawn(seen: SeenSurface, color: Color = PLAIN, *, beyond: bool) -> Surface:
     """Return a surface as it is drawn.
 
     Args:
         seen: The surface.
+        color: What it is drawn with where nothing says of which colour it is.
         beyond: Whether it may go beyond the panel.
     """
     points, triangles = seen.points, seen.triangles
@@ -32,7 +36,7 @@ def drawn(seen: SeenSurface, *, beyond: bool) -> Surface:
     closed = _is_closed(triangles)
     if closed and _volume(points, triangles) < 0.0:
         triangles = triangles[:, ::-1]
-    return Surface(points, triangles, seen.color, seen.opacity, not closed, beyond)
+    return Surface(points, triangles, seen.color or color, seen.opacity, not closed, beyond)
 
 
 def lies_under(surfaces: Iterable[SeenSurface], places: Floats, up: Floats) -> bool:

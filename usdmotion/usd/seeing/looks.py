@@ -3,8 +3,6 @@
 from pxr import Usd, UsdGeom, UsdShade
 
 Color = tuple[float, float, float]
-_PLAIN: Color = (0.6, 0.6, 0.6)
-"""Of what says nothing of its colour."""
 
 
 def purposes_of(prims: list[Usd.Prim]) -> frozenset[str]:
@@ -20,13 +18,16 @@ def is_visible(prim: Usd.Prim, time_code: float) -> bool:
     return bool(visibility != UsdGeom.Tokens.invisible)
 
 
-def color_of(prim: Usd.Prim, time_code: float) -> Color:
-    """Return one linear colour for a surface: its display colour, on average, or its material's."""
+def color_of(prim: Usd.Prim, time_code: float) -> Color | None:
+    """Return one linear colour for a surface: its display colour, on average, or its material's.
+
+    None where neither says, or a picture is put on it.
+    """
     found = _primvar(prim, "displayColor", time_code)
     if found is not None:
         red, green, blue = (sum(float(each[i]) for each in found) / len(found) for i in range(3))
         return red, green, blue
-    return _diffuse(prim, time_code) or _PLAIN
+    return _diffuse(prim, time_code)
 
 
 def opacity_of(prim: Usd.Prim, time_code: float) -> float:

@@ -17,8 +17,8 @@ class SeenSurface:
     """World [m], shape (point_count, 3)."""
     triangles: Ints
     """Shape (triangle_count, 3)."""
-    color: tuple[float, float, float]
-    """Linear."""
+    color: tuple[float, float, float] | None
+    """Linear; None where nothing on the stage says."""
     opacity: float
     skeleton: str = ""
     """Path of the Skeleton that moves it, "" for none."""
