@@ -16,7 +16,8 @@ from PIL import Image
 
 HOUSE = Path(__file__).parents[2]
 STAGES, README = HOUSE / "stages", HOUSE / "README.md"
-PICTURES = [picture for name in demos.NAMES for picture in figures(name)]
+FIGURES = {name: each for demo in demos.NAMES for name, each in figures(demo).items()}
+PICTURES = list(FIGURES)
 MOST, MOST_OF_ALL = 60_000, 2_000_000
 """Bytes of a picture, and of all."""
 REMADE = "wrist_and_elbow"
@@ -35,7 +36,10 @@ def shades(png: bytes) -> np.ndarray:
 @pytest.mark.parametrize("name", PICTURES)
 def test_a_figure_has_its_small_picture_beside_its_stage_and_in_the_readme(name: str) -> None:
     assert 2_000 < (STAGES / f"{name}.png").stat().st_size <= MOST
-    assert f"stages/{name}.png" in README.read_text(encoding="utf-8")
+    lines = README.read_text(encoding="utf-8").splitlines()
+    (line,) = (each for each in lines if f"stages/{name}.png" in each)
+    figure, _, what = FIGURES[name].shows.rpartition(": ")
+    assert line.startswith(f"| {figure} | {what[0].upper()}{what[1:]}: ")
 
 
 def test_there_are_no_other_pictures_and_all_are_small_together() -> None:
