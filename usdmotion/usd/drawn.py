@@ -26,8 +26,11 @@ def is_home(prim: Usd.Prim) -> bool:
     if not _is_named(prim.GetName()) or prim.GetTypeName() != "Xform":
         return False
     purpose = UsdGeom.Imageable(prim).GetPurposeAttr()
-    owned = any(is_a(prim.GetParent(), kind) for kind in _OWNERS)
-    return owned and purpose.HasAuthoredValue() and purpose.Get() == UsdGeom.Tokens.guide
+    return (
+        is_owner(prim.GetParent())
+        and purpose.HasAuthoredValue()
+        and purpose.Get() == UsdGeom.Tokens.guide
+    )
 
 
 def is_drawn(prim: Usd.Prim) -> bool:
@@ -37,6 +40,11 @@ def is_drawn(prim: Usd.Prim) -> bool:
             return True
         prim = prim.GetParent()
     return False
+
+
+def is_owner(prim: Usd.Prim) -> bool:
+    """Tell whether a prim is one that guides stand below."""
+    return any(is_a(prim, kind) for kind in _OWNERS)
 
 
 def is_home_spec(spec: Sdf.PrimSpec | None) -> bool:

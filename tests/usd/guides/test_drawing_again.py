@@ -139,3 +139,34 @@ def test_nothing_is_said_twice(reaching, carried):
             codes = layer.ListTimeSamplesForPath(path) if path.IsPropertyPath() else []
             values = {str(layer.QueryTimeSample(path, code)) for code in codes}
             assert not codes or len(values) > 1, path
+
+
+def test_what_somebody_else_has_drawn_for_people_is_left_to_him(drawn_again):
+    own = ("/Sketches/Guides", "/Walker/Sketches/Guides")
+
+    def change(stage):
+        for path in own:
+            guides = UsdGeom.Xform.Define(stage, path)
+            guides.CreatePurposeAttr(UsdGeom.Tokens.guide)
+            UsdGeom.Sphere.Define(stage, f"{path}/Ball")
+            guides.GetPrim().GetParent().SetActive(False)
+
+    layer = drawn_again(change).GetRootLayer()
+    assert all(layer.GetPrimAtPath(f"{path}/Ball") for path in own)
+
+
+def test_of_a_constraint_that_is_taken_away_nothing_is_left_in_the_layer(drawn_again):
+    extra = f"{EDIT}/Extra"
+
+    def change(stage):
+        prim = stage.DefinePrim(extra, "MotionPositionConstraint")
+        prim.GetAttribute("usdmotion:joint").Set("Hips/Spine")
+        guiding.guides_over(stage, Path("here.usda"))
+        spec = stage.GetRootLayer().GetPrimAtPath(extra)
+        assert spec.nameChildren
+        spec.specifier = Sdf.SpecifierOver
+        spec.ClearInfo("typeName")
+        del spec.properties["usdmotion:joint"]
+
+    stage = drawn_again(change)
+    assert not stage.GetRootLayer().GetPrimAtPath(extra)

@@ -9,7 +9,7 @@ import numpy as np
 from pxr import Sdf, Usd
 
 from usdmotion.arrays import Floats
-from usdmotion.usd.drawn import GUIDES, is_home, is_home_spec
+from usdmotion.usd.drawn import GUIDES, is_home, is_home_spec, is_owner
 from usdmotion.usd.guides.prims import guide, make
 from usdmotion.usd.layers import over
 from usdmotion.usd.relations import is_a
@@ -18,6 +18,8 @@ SHAPE = "Shape"
 """What the name begins with of a class that shows what an object of contacts looks like."""
 OF_CONTACT = ("Held", "Number", "Axis", "Way", "Sole", "Ghost", "Trajectory")
 """Names of the guides of a contact and of a detection."""
+_OURS = {*OF_CONTACT, "Before", "After", "Missed", "CenterOfMass", "World"}
+"""By one of these guides are told where nothing is left of what they are below."""
 _EVERYTHING = Usd.PrimIsDefined & ~Usd.PrimIsAbstract
 """What is switched off too."""
 
@@ -51,14 +53,23 @@ class Sheet:
         return path
 
     def homes(self) -> dict[str, Usd.Prim]:
-        """Return the owners of guides that are on the stage, by the paths of their guides."""
+        """Return the owners of guides that are on the stage or in the layer, by their paths.
+
+        One that is gone is an invalid prim.
+        """
         prims = Usd.PrimRange.Stage(self.stage, _EVERYTHING)
         found = {str(prim.GetPath()): prim.GetParent() for prim in prims if is_home(prim)}
 
         # What stands below a prim that is switched off is not on the stage.
         def look(path: Sdf.Path) -> None:
-            if path.IsPrimPath() and is_home_spec(self.layer.GetPrimAtPath(path)):
-                found.setdefault(str(path), self.stage.GetPrimAtPath(path.GetParentPath()))
+            spec = self.layer.GetPrimAtPath(path) if path.IsPrimPath() else None
+            if spec is not None and str(path) not in found and is_home_spec(spec):
+                owner = self.stage.GetPrimAtPath(path.GetParentPath())
+                gone = not owner or not owner.IsDefined()
+                if is_owner(owner):
+                    found[str(path)] = owner
+                elif gone and _OURS & set(spec.nameChildren.keys()):
+                    found[str(path)] = Usd.Prim()
 
         self.layer.Traverse(Sdf.Path.absoluteRootPath, look)
         return found
