@@ -4,10 +4,11 @@ Where there is contact is told by the source alone; lengths are those of a body 
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 import pytest
-from pxr import Usd, UsdSkel
+from pxr import Sdf, Usd, UsdSkel
 
 from usdmotion import pipeline
 from usdmotion.arrays import Floats
@@ -95,15 +96,24 @@ def walk(name, shot, output, recording, report, taken, contacts_on) -> Walk:
     )  # fmt: skip
 
 
+@pytest.fixture(scope="module")
+def planted(mocap, tmp_path_factory):
+    """Return what imports a clip and cleans it, once: the shot, its layer, and what was told."""
+
+    @cache
+    def run(name):
+        folder = tmp_path_factory.mktemp("walk")
+        shot, output = folder / "shot.usda", folder / "clean.usda"
+        recording = pipeline.import_motion(mocap / f"{name}.bvh", shot, options=WALKS[name])
+        return shot, output, recording, pipeline.clean(shot, output)
+
+    return run
+
+
 @pytest.fixture(scope="module", params=WALKS)
-def cleaned(request, mocap, taken, contacts_on, tmp_path_factory) -> Walk:
+def cleaned(request, planted, taken, contacts_on) -> Walk:
     """Return a clip before and after, and its contacts."""
-    folder = tmp_path_factory.mktemp("walk")
-    shot, output = folder / "shot.usda", folder / "clean.usda"
-    options = WALKS[request.param]
-    recording = pipeline.import_motion(mocap / f"{request.param}.bvh", shot, options=options)
-    report = pipeline.clean(shot, output)
-    return walk(request.param, shot, output, recording, report, taken, contacts_on)
+    return walk(request.param, *planted(request.param), taken, contacts_on)
 
 
 def slides(walk: Walk) -> tuple[Floats, Floats]:
@@ -166,14 +176,15 @@ def test_nothing_jumps_from_one_frame_to_the_next(cleaned, tell):
             assert more <= STEEP * 2.0 * changed / (EASE * cleaned.rate) + ROUNDING, part
 
 
-def test_what_is_far_from_contacts_stays_as_it_was(mocap, taken, contacts_on, tmp_path, tell):
+def test_what_is_far_from_contacts_stays_as_it_was(planted, taken, contacts_on, tell):
     """A walker always stands, so those of the second half are switched off: nothing is felt there.
 
     Nor is it where they were; and before, feet are planted as they are with all contacts.
     """
-    shot, whole, half = (tmp_path / f"{each}.usda" for each in ("shot", "whole", "half"))
-    recording = pipeline.import_motion(mocap / f"{LONG}.bvh", shot, options=WALKS[LONG])
-    pipeline.clean(shot, whole)
+    shot, clean, recording, _ = planted(LONG)
+    whole, half = clean.with_name("whole.usda"), clean.with_name("half.usda")
+    # A copy beside it: what is switched off here is on for the others.
+    Sdf.Layer.FindOrOpen(str(clean)).Export(str(whole))
     stage = Usd.Stage.Open(str(whole))
     middle = 0.5 * (stage.GetStartTimeCode() + stage.GetEndTimeCode())
     contacts = [
