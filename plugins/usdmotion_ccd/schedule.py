@@ -5,8 +5,6 @@ from heapq import heapify, heappop, heappush
 from typing import NamedTuple
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from usdmotion import Bools, Ints
 from usdmotion.kernels import TaskTable
@@ -83,6 +81,9 @@ def _seen(table: TaskTable, task: int) -> Ints:
 
 def _components(looks: Sequence[set[int]]) -> tuple[list[int], list[int]]:
     """Return the group of each character, and the circle that it looks at others in."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
     ends = [(one, other) for one, others in enumerate(looks) for other in others]
     rows, columns = (np.array([pair[side] for pair in ends], dtype=np.int64) for side in (0, 1))
     graph = coo_array((np.ones(len(ends)), (rows, columns)), shape=(len(looks), len(looks)))

@@ -1,7 +1,6 @@
 """What a foot leaves on the ground: an outline of its sole."""
 
 import numpy as np
-from scipy.spatial import ConvexHull
 
 from usdmotion.arrays import Floats
 from usdmotion.guides.axes import sideways
@@ -26,6 +25,8 @@ def sole(points: Floats, up: Floats, height: float) -> Floats:
     Returns:
         Counterclockwise seen from above [m], shape (corner_count, 3).
     """
+    from scipy.spatial import ConvexHull
+
     sides = np.stack(sideways(up))
     flat = points @ sides.T
     along = flat - flat[0]

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from scipy.spatial import ConvexHull
 
 from usdmotion.arrays import Bools, Floats, Ints
 from usdmotion.guides.axes import sideways
@@ -60,6 +59,8 @@ def _ring(flat: Floats, on: Ints, margin: float) -> tuple[int, ...]:
     """Return the corners of a hull, (N, 4, 2) to indices of N times 4, from the first of them."""
     if len(on) == 0:
         return ()
+    from scipy.spatial import ConvexHull
+
     points = flat[on].reshape(-1, 2)
     ring = _bent(points, ConvexHull(points).vertices, _STRAIGHT * margin)
     named = (4 * np.repeat(on, 4) + np.tile(np.arange(4), len(on)))[ring]

@@ -1,7 +1,6 @@
 """Turns between directions, quaternions xyzw: what tells frames apart."""
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from usdmotion.arrays import Floats
 from usdmotion.kernels import slerp
@@ -24,6 +23,8 @@ def across(vectors: Floats, axis: Floats) -> Floats:
 
 def from_y_z(y: Floats, z: Floats) -> Floats:
     """(…, 3), (…, 3) to (…, 4): the frame whose z is along z and whose y is on y's side."""
+    from scipy.spatial.transform import Rotation
+
     z = unit(z)
     y = unit(across(y, z))
     matrices = np.stack([np.cross(y, z), y, z], axis=-1)

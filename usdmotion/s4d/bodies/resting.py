@@ -8,9 +8,9 @@ trunk stands.
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from usdmotion.arrays import Bools, Floats
 from usdmotion.humanoid import PartMap
@@ -35,7 +35,6 @@ _UPRIGHT = np.cos(np.radians(40.0))
 """And how far the shank above it may lean."""
 _ALIKE = np.radians(5.0)
 """How much more one foot may be pitched than the other as it stands; more is on tiptoe."""
-_RIGHT_ANGLES = Rotation.create_group("O").as_quat()
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,9 +79,10 @@ def _usual(rotations: Floats) -> Floats:
     turns = np.linalg.norm(to_vector(multiply(conjugate(mean), rotations)), axis=-1)
     if np.median(turns) < _STILL:
         return mean
-    away = np.linalg.norm(to_vector(multiply(conjugate(_RIGHT_ANGLES), mean)), axis=-1)
+    right_angles = _right_angles()
+    away = np.linalg.norm(to_vector(multiply(conjugate(right_angles), mean)), axis=-1)
     nearest = int(np.argmin(away))
-    return np.asarray(_RIGHT_ANGLES[nearest] if away[nearest] < _NEAR else mean)
+    return np.asarray(right_angles[nearest] if away[nearest] < _NEAR else mean)
 
 
 @dataclass(frozen=True, eq=False)
@@ -162,3 +162,11 @@ class _Posed:
         if not upright.any():
             return upright
         return np.asarray(upright & (rank <= np.quantile(rank[upright], _STANDING)))
+
+
+@cache
+def _right_angles() -> Floats:
+    """Return all turns by right angles, xyzw, shape (24, 4)."""
+    from scipy.spatial.transform import Rotation
+
+    return np.asarray(Rotation.create_group("O").as_quat())

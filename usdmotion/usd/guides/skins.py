@@ -5,7 +5,6 @@ from functools import cached_property
 
 import numpy as np
 from pxr import Usd, UsdGeom, UsdSkel
-from scipy.spatial import ConvexHull, QhullError
 
 from usdmotion.arrays import Floats, Ints
 
@@ -121,6 +120,8 @@ def _reduced(part: Part) -> Part | None:
     """Return a part, or its hull where it has many points; None where that is flat."""
     if len(part.points) <= _MOST_POINTS:
         return part
+    from scipy.spatial import ConvexHull, QhullError
+
     try:
         hull = ConvexHull(part.points)
     except QhullError:
