@@ -165,3 +165,11 @@ def test_a_number_that_is_alone_stays():
     ((_, guide), *_) = drawn("space")
     (lifted,) = apart([guide], UP)
     np.testing.assert_allclose(np.concatenate(lifted.number), np.concatenate(guide.number))
+
+
+def test_above_a_heap_of_contacts_numbers_stay_near():
+    ((_, guide), *_) = drawn("space")
+    lifted = apart([guide] * 60, UP)
+    height = np.ptp(np.concatenate(guide.number)[:, 1])
+    tops = [np.concatenate(each.number)[:, 1].max() for each in lifted]
+    assert max(tops) - min(tops) < 15.0 * height

@@ -48,3 +48,10 @@ def test_it_is_seen_from_above_whichever_axis_is_up():
         corners = outline - outline.mean(axis=0)
         turns = np.cross(corners, np.roll(corners, -1, axis=0)) @ up
         assert (turns > 0.0).all()
+
+
+@given(st.floats(-1e-3, 1e-3), st.floats(-1e-3, 1e-3))
+def test_of_a_foot_that_points_straight_down_it_is_around_that(x, z):
+    outline = sole(np.array([(0.0, 0.1, 0.0), (x, 0.02, z)]), UP, 0.0)
+    assert 0.03 < np.ptp(outline[:, 0]) < 0.1
+    assert 0.03 < np.ptp(outline[:, 2]) < 0.1

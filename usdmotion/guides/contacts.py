@@ -20,6 +20,8 @@ _HEIGHT, _GAP = 0.6, 0.2
 """Height of a number, and how far it is above what is held, over the size of the object."""
 _CLEAR, _APART = 1.2, 0.6
 """How near numbers may be, and how far one is lifted at a time, over their height."""
+_MOST_SHIFTS = 20
+"""So many places are tried for a number; above a heap of more it stays where it belongs."""
 _DETAIL = 0.03
 """How exactly ways are drawn, over the size of the object."""
 
@@ -170,10 +172,11 @@ def apart(guides: Sequence[ContactGuide], up: Floats) -> tuple[ContactGuide, ...
         points = np.concatenate(guide.number)
         height = np.ptp(points @ up)
         foot = points.mean(axis=0)
-        while (np.linalg.norm(feet[:index] - foot, axis=1) < _CLEAR * height).any():
-            foot = foot + _APART * height * up
-        feet[index] = foot
-        shift = foot - points.mean(axis=0)
+        shifts = _APART * height * np.arange(_MOST_SHIFTS)[:, None] * up
+        ways = np.linalg.norm(feet[:index] - (foot + shifts)[:, None], axis=2)
+        clear = (ways > _CLEAR * height).all(axis=1)
+        shift = shifts[int(clear.argmax())]
+        feet[index] = foot + shift
         lifted.append(replace(guide, number=tuple(stroke + shift for stroke in guide.number)))
     return tuple(lifted)
 

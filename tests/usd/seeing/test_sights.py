@@ -123,3 +123,17 @@ def test_the_light_mesh_of_our_own_characters_is_known_as_such(arm_shot: Callabl
     assert body.character.path == "/Arm/Skeleton"
     assert body.visible.all()
     assert not notes
+
+
+def test_a_colour_that_is_said_by_indices_counts_as_often_as_it_is_worn(stage):
+    mesh = UsdGeom.Mesh.Define(stage, "/Mesh")
+    mesh.CreatePointsAttr([(0, 0, 0), (1, 0, 0), (0, 1, 0)])
+    mesh.CreateFaceVertexCountsAttr([3] * 4)
+    mesh.CreateFaceVertexIndicesAttr([0, 1, 2] * 4)
+    colors = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
+        "displayColor", Sdf.ValueTypeNames.Color3fArray, "uniform"
+    )
+    colors.Set(Vt.Vec3fArray([(1, 0, 0), (0, 0, 1)]))
+    colors.SetIndices(Vt.IntArray([0, 0, 0, 1]))
+    (seen,) = look(stage)
+    np.testing.assert_allclose(seen.color, (0.75, 0.0, 0.25))

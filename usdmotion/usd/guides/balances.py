@@ -78,22 +78,12 @@ def _draw_drop(page: Page, prim: Sdf.PrimSpec, places: Floats, area: SupportGuid
 
 def _in_stretches(page: Page, area: SupportGuide, values: Floats) -> Floats | dict[float, Floats]:
     """Return values thinned in each stretch in which the corners follow the same points."""
-    found: dict[float, Floats] = {}
     stretches = [
         stretch
         for run in range(int(area.runs[-1]) + 1)
         for stretch in runs((area.runs == run) & area.there)
     ]
-    for first, end in stretches:
-        part = page.over_time(values, page.near, slice(first, end))
-        if len(stretches) == 1:
-            return part
-        if isinstance(part, dict):
-            found |= part
-        else:
-            # What does not move meanwhile stays until the end of its stretch.
-            found |= {float(page.codes[frame]): part for frame in (first, end - 1)}
-    return found
+    return page.in_stretches(values, page.near, stretches)
 
 
 def _hide(page: Page, prim: Sdf.PrimSpec, area: SupportGuide) -> None:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from usdmotion.arrays import Bools, Floats
+from usdmotion.arrays import Floats
 from usdmotion.guides import Color, simplified
 from usdmotion.quality import runs
 from usdmotion.showing.shown import Course, Miss
@@ -54,28 +54,16 @@ def draw_miss(page: Page, miss: Miss) -> None:
     if not miss.missed.any() or miss.path not in page.homes:
         return
     prim = page.item(miss.path, MISSED_NAME)
+    ends = [miss.places] if miss.wanted is None else [miss.places, miss.wanted]
+    places = np.stack(ends, axis=1) / page.unit
+    shown = page.in_stretches(places, page.near, runs(miss.missed))
     if miss.wanted is None:
-        author_points(
-            prim, _missed(page, miss.missed, miss.places[:, None]), page.width(_SPOT), MISSED
-        )
+        author_points(prim, shown, page.width(_SPOT), MISSED)
     else:
-        ends = np.stack([miss.places, miss.wanted], axis=1)
-        author_curve(prim, _missed(page, miss.missed, ends), page.width(_THICK), MISSED)
+        author_curve(prim, shown, page.width(_THICK), MISSED)
     author_opacity(prim, 1.0)
     if not miss.missed.all():
         author_visibility(prim, seen(page.codes, miss.missed))
-
-
-def _missed(page: Page, missed: Bools, places: Floats) -> Floats | dict[float, Floats]:
-    """Return places while something is missed, thinned in each stretch of it."""
-    found: dict[float, Floats] = {}
-    stretches = runs(missed)
-    for first, end in stretches:
-        part = page.over_time(places / page.unit, page.near, slice(first, end))
-        if len(stretches) == 1:
-            return part
-        found |= part if isinstance(part, dict) else {float(page.codes[first]): part}
-    return found
 
 
 def _draw_way(

@@ -1,6 +1,6 @@
 """What the guides of one edit are drawn with: units, sizes, times, colours."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -89,6 +89,28 @@ class Page:
         if len(kept) == 1:
             return np.asarray(values[0])
         return {float(codes[frame]): values[frame] for frame in kept}
+
+    def in_stretches(
+        self, values: Floats, tolerance: float, stretches: Sequence[tuple[int, int]]
+    ) -> Floats | dict[float, Floats]:
+        """Return values as they are written of what is there for some stretches of time alone.
+
+        Args:
+            values: Shape (frame_count, …, size).
+            tolerance: How far what is shown may be from what is left out.
+            stretches: First frame of each, at least one, and one past its last.
+        """
+        found: dict[float, Floats] = {}
+        for first, end in stretches:
+            part = self.over_time(values, tolerance, slice(first, end))
+            if len(stretches) == 1:
+                return part
+            if isinstance(part, dict):
+                found |= part
+            else:
+                # What does not move meanwhile stays until the end of its stretch.
+                found |= {float(self.codes[frame]): part for frame in (first, end - 1)}
+        return found
 
 
 def seen(codes: Floats, on: np.ndarray) -> dict[float, bool]:

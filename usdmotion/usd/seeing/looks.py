@@ -1,6 +1,9 @@
 """Colours of surfaces, and whether anybody sees them."""
 
+import numpy as np
 from pxr import Usd, UsdGeom, UsdShade
+
+from usdmotion.arrays import Floats
 
 Color = tuple[float, float, float]
 
@@ -25,7 +28,7 @@ def color_of(prim: Usd.Prim, time_code: float) -> Color | None:
     """
     found = _primvar(prim, "displayColor", time_code)
     if found is not None:
-        red, green, blue = (sum(float(each[i]) for each in found) / len(found) for i in range(3))
+        red, green, blue = found.mean(axis=0).tolist()
         return red, green, blue
     return _diffuse(prim, time_code)
 
@@ -33,13 +36,13 @@ def color_of(prim: Usd.Prim, time_code: float) -> Color | None:
 def opacity_of(prim: Usd.Prim, time_code: float) -> float:
     """Return the opacity of a surface, on average."""
     found = _primvar(prim, "displayOpacity", time_code)
-    return 1.0 if found is None else sum(map(float, found)) / len(found)
+    return 1.0 if found is None else float(found.mean())
 
 
-def _primvar(prim: Usd.Prim, name: str, time_code: float) -> list | None:  # type: ignore[type-arg]
+def _primvar(prim: Usd.Prim, name: str, time_code: float) -> Floats | None:
     primvar = UsdGeom.PrimvarsAPI(prim).FindPrimvarWithInheritance(name)
-    values = primvar.Get(Usd.TimeCode(time_code)) if primvar else None
-    return list(values) if values is not None and len(values) else None
+    values = primvar.ComputeFlattened(Usd.TimeCode(time_code)) if primvar else None
+    return np.array(values, dtype=np.float64) if values is not None and len(values) else None
 
 
 def _diffuse(prim: Usd.Prim, time_code: float) -> Color | None:
