@@ -74,6 +74,11 @@ def test_a_stacked_result_is_hidden_with_what_it_was_made_from(stage: Usd.Stage)
     onstage.show(stage, second, True)
     onstage.show(stage, EDIT, False)
     assert bound(stage) == source
+    for edits in ([EDIT, second], [second, EDIT]):
+        onstage.show(stage, edits, True)
+        assert bound(stage) == f"{second}_result"
+        onstage.show(stage, edits, False)
+        assert bound(stage) == source
 
 
 @pytest.mark.parametrize(
@@ -218,6 +223,20 @@ def test_what_is_no_contact_is_no_template(stage: Usd.Stage) -> None:
     stage.DefinePrim(f"{EDIT}/Foot", "MotionContactConstraint")
     with pytest.raises(SceneError, match="is in no MotionDetection"):
         onstage.make_template(stage, f"{EDIT}/Foot")
+
+
+def test_of_several_of_which_one_is_at_fault_none_is_changed(stage: Usd.Stage) -> None:
+    contact = onstage.detect(stage, Asked(joints=("base",))).objects[0].contacts[0].path
+    onstage.solve(stage)
+    author_edit(stage, f"{SKELETON}/Unsolved")
+    before = said(stage)
+    with pytest.raises(SceneError, match="and no contact"):
+        onstage.make_template(stage, [contact, f"{EDIT}/Wrist"])
+    with pytest.raises(SceneError, match="is in no MotionEdit"):
+        onstage.show(stage, [EDIT, SKELETON], False)
+    with pytest.raises(SceneError, match="has no result"):
+        onstage.show(stage, [EDIT, f"{SKELETON}/Unsolved"], True)
+    assert said(stage) == before
 
 
 def test_a_report_tells_of_what_is_open(stage: Usd.Stage, tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
@@ -112,21 +113,23 @@ def shown(stage: Stage, edit: str) -> bool:
     return _named(stage, lambda: usd.is_shown(stage, edit))
 
 
-def show(stage: Stage, edit: str, on: bool) -> None:
-    """Bind the result of an edit, or what it was made from, in the edit target.
+def show(stage: Stage, edits: str | Sequence[str], on: bool) -> None:
+    """Bind the results of edits, or what they were made from, in the edit target.
 
-    Where the result of another edit is stacked on it, that one is shown, or hidden as well.
+    Where the result of another edit is stacked on one, that one is shown, or hidden as well.
 
     Args:
         stage: The stage.
-        edit: Path of the MotionEdit.
-        on: Whether its result is to be shown.
+        edits: Path of the MotionEdit, or paths of several.
+        on: Whether their results are to be shown.
 
     Raises:
         SceneError: There is no such edit, it has no result, or the edit target is at fault.
     """
     draft = usd.Draft(stage)
-    _named(stage, lambda: usd.author_shown(draft.layer, stage, edit, on))
+    for edit in _several(edits):
+        # Of edits that are stacked each finds what the one before it was bound to.
+        _named(stage, partial(usd.author_shown, draft.layer, draft.stage, edit, on))
     draft.put()
 
 
@@ -175,18 +178,19 @@ def add_position_constraint(
     return path
 
 
-def make_template(stage: Stage, contact: str) -> None:
-    """Make a contact an example, from which the next detection learns, in the edit target.
+def make_template(stage: Stage, contacts: str | Sequence[str]) -> None:
+    """Make contacts examples, from which the next detection learns, in the edit target.
 
     Args:
         stage: The stage.
-        contact: Path of the MotionContactConstraint, or of a prim below it.
+        contacts: Path of the MotionContactConstraint, or of a prim below it, or several of these.
 
     Raises:
-        SceneError: It is no contact of a detection, or the edit target is at fault.
+        SceneError: One is no contact of a detection, or the edit target is at fault.
     """
     draft = usd.Draft(stage)
-    _named(stage, lambda: usd.author_template(draft.layer, stage, contact))
+    for contact in _several(contacts):
+        _named(stage, partial(usd.author_template, draft.layer, stage, contact))
     draft.put()
 
 
@@ -255,6 +259,10 @@ def _outcomes(stage: Stage) -> list[Outcome]:
         raise SceneError(f"{name}: there is no result of a MotionEdit; solve it first")
     read = usd.outcomes_of(stage, name, host().constraints, solved)
     return [beside_its_input(each, None, name, call) for each in read]
+
+
+def _several(paths: str | Sequence[str]) -> Sequence[str]:
+    return (paths,) if isinstance(paths, str) else paths
 
 
 def _named(stage: Stage, made: Callable[[], _Made]) -> _Made:

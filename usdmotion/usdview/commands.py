@@ -61,8 +61,7 @@ def make_template(here: Here) -> str:
     """Make the selected contacts templates."""
     contacts = here.selection.contacts
     with here.writing() as (_, place):
-        for path in contacts:
-            onstage.make_template(here.selection.stage, path)
+        onstage.make_template(here.selection.stage, contacts)
     names = telling.listed(leaf(path) for path in contacts)
     return f"the next detection learns from {names}; in {place}"
 
@@ -99,8 +98,7 @@ def show(here: Here) -> str:
     stage, edits = here.selection.stage, here.selection.edits
     on = not all(onstage.shown(stage, edit) for edit in edits)
     with here.writing() as (_, place):
-        for edit in edits:
-            onstage.show(stage, edit, on)
+        onstage.show(stage, edits, on)
     names = telling.listed(leaf(edit) for edit in edits)
     return f"{'the result' if on else 'the source'} of {names} is shown; in {place}"
 
