@@ -85,20 +85,8 @@ def filled(codes: Floats, facts: Facts) -> Floats:
     return np.concatenate([*pieces, codes[-1:]])
 
 
-def _own_times(prim: Usd.Prim, facts: Facts) -> Floats:
-    """Return the time codes at which a prim or one above it has a sample of its transform."""
-    times: list[list[float]] = [[]]
-    while prim and not prim.IsPseudoRoot():
-        xform = UsdGeom.Xformable(prim)
-        for op in xform.GetOrderedXformOps() if xform else ():
-            times.append(_op_times(op.GetAttr(), facts))
-        if xform and xform.GetResetXformStack():
-            break
-        prim = prim.GetParent()
-    return merged(times)
-
-
-def _op_times(attribute: Usd.Attribute, facts: Facts) -> list[float]:
+def moves_at(attribute: Usd.Attribute, facts: Facts) -> list[float]:
+    """Return the time codes of an attribute's samples, or the first and the last of a spline."""
     if not attribute.HasSpline():
         return [float(code) for code in attribute.GetTimeSamples()]
     # What a spline shows is between its knots as well.
@@ -106,6 +94,19 @@ def _op_times(attribute: Usd.Attribute, facts: Facts) -> list[float]:
     first = min(knots) if facts.start is None else facts.start
     last = max(knots) if facts.end is None else facts.end
     return [first, last] if last > first else []
+
+
+def _own_times(prim: Usd.Prim, facts: Facts) -> Floats:
+    """Return the time codes at which a prim or one above it has a sample of its transform."""
+    times: list[list[float]] = [[]]
+    while prim and not prim.IsPseudoRoot():
+        xform = UsdGeom.Xformable(prim)
+        for op in xform.GetOrderedXformOps() if xform else ():
+            times.append(moves_at(op.GetAttr(), facts))
+        if xform and xform.GetResetXformStack():
+            break
+        prim = prim.GetParent()
+    return merged(times)
 
 
 def _corners(prim: Usd.Prim, code: float) -> Floats:

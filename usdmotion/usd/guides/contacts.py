@@ -110,12 +110,11 @@ def _objects(worlds: Worlds, marks: Sequence[ContactMark], facts: Facts) -> list
             str(each.GetPath()): each for each in above if is_a(each, "UsdMotionDetection")
         }
         shape_path = _shape_path(worlds.sheet, contacts, own[0], taken)
-        codes = np.unique([(mark.first, mark.last) for mark in own])
         found.append(
             _Object(
                 marks=tuple(own),
-                standings=tuple(worlds.standing(each, codes) for each in contacts),
-                detections={each: worlds.standing(one, codes) for each, one in detections.items()},
+                standings=tuple(worlds.standing(each) for each in contacts),
+                detections={each: worlds.standing(one) for each, one in detections.items()},
                 shape=shape_of(own[0].held, prim, shape_path, skin),
                 shape_path=shape_path,
             )

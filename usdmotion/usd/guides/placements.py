@@ -9,10 +9,12 @@ from pxr import Gf, Sdf, Usd, UsdGeom, Vt
 from usdmotion.arrays import Floats
 from usdmotion.guides import thinned
 from usdmotion.usd.clips import merged
+from usdmotion.usd.detections.trajectories import moves_at
 from usdmotion.usd.guides.prims import PLACED, WORLD, make, place
 from usdmotion.usd.guides.sheets import Sheet, author_home
 from usdmotion.usd.layers import over, set_value, set_varying
 from usdmotion.usd.relations import edit_of
+from usdmotion.usd.shot import Facts
 from usdmotion.usd.stages import read_facts
 from usdmotion.usd.transforms import is_still, world_matrices
 
@@ -38,15 +40,14 @@ class Placement:
         return len(self.matrices) == 1 and bool(np.allclose(self.matrices[0], np.eye(4)))
 
 
-def placement(prim: Usd.Prim, codes: Floats, onto: Usd.Prim | None = None) -> Placement:
+def placement(prim: Usd.Prim, onto: Usd.Prim | None = None) -> Placement:
     """Return what brings what is below a prim into another frame.
 
     Args:
         prim: The prim.
-        codes: Time codes that matter, ascending.
         onto: Whose frame; None is the world's.
     """
-    times = _times((prim, onto), codes)
+    times = _times((prim, onto))
     places = world_matrices(prim, times)
     above = np.eye(4)[None] if onto is None else world_matrices(onto, times)
     matrices = np.asarray(above @ np.linalg.inv(places))
@@ -88,9 +89,7 @@ class Standing:
     def author(self, sheet: Sheet, prim: Sdf.PrimSpec) -> None:
         """Give a spec below that prim the frame of the world, whatever it had."""
         prim.inheritPathList.ClearEdits()
-        for name in (PLACED, "xformOpOrder"):
-            if name in prim.attributes:
-                del prim.attributes[name]
+        _clear(prim)
         if self.placed.is_identity:
             return
         if self.shared:
@@ -107,19 +106,18 @@ class Worlds:
     _shared: dict[str, Placement] = field(default_factory=dict)
     """What the classes are that were asked for, by the paths of the guides of the edits."""
 
-    def standing(self, owner: Usd.Prim, codes: Floats) -> Standing:
+    def standing(self, owner: Usd.Prim) -> Standing:
         """Return how what stands below a prim comes to have the frame of the world.
 
         Args:
             owner: An edit, or a prim anywhere.
-            codes: Time codes that matter, ascending.
         """
         edit = edit_of(owner)
         if edit is None or _is_moved(owner, edit):
-            return Standing(placement(owner, codes))
+            return Standing(placement(owner))
         home = self.sheet.home(str(edit.GetPath()))
         if home not in self._shared:
-            self._shared[home] = placement(edit, codes)
+            self._shared[home] = placement(edit)
         return Standing(self._shared[home], f"{home}/{WORLD}")
 
     def author(self) -> None:
@@ -128,11 +126,17 @@ class Worlds:
             if not placed.is_identity:
                 author_home(self.sheet, home)
                 prim = over(self.sheet.layer, f"{home}/{WORLD}")
-                if PLACED in prim.attributes:
-                    del prim.attributes[PLACED]
+                _clear(prim)
                 make(prim, "Xform")
                 prim.specifier = Sdf.SpecifierClass
                 author_placement(self.sheet, prim, placed)
+
+
+def _clear(prim: Sdf.PrimSpec) -> None:
+    """Take the transform from a spec that has one from before."""
+    for name in (PLACED, "xformOpOrder"):
+        if name in prim.attributes:
+            prim.RemoveProperty(prim.attributes[name])
 
 
 def _is_moved(prim: Usd.Prim, edit: Usd.Prim) -> bool:
@@ -144,25 +148,31 @@ def _is_moved(prim: Usd.Prim, edit: Usd.Prim) -> bool:
     return False
 
 
-def _times(prims: tuple[Usd.Prim | None, ...], codes: Floats) -> Floats:
-    """Return time codes at which to look: those given, every sample of a transform, every frame."""
-    own: list[Floats] = [codes]
+def _times(prims: tuple[Usd.Prim | None, ...]) -> Floats:
+    """Return time codes at which to look: where transforms have samples, and every frame meanwhile.
+
+    Before the first of them and after the last nothing moves any more.
+    """
+    own: list[list[float]] = []
     for prim in prims:
         while prim and not prim.IsPseudoRoot():
             xform = UsdGeom.Xformable(prim)
             if xform and xform.TransformMightBeTimeVarying():
-                own.append(np.array(xform.GetTimeSamples()))
-                own.append(_frames(prim.GetStage()))
+                facts = read_facts(prim.GetStage())
+                own += [moves_at(op.GetAttr(), facts) for op in xform.GetOrderedXformOps()]
             prim = prim.GetParent()
-    return merged(own)
+    return merged([*own, _frames(merged(own), facts)]) if own else np.zeros(1)
 
 
-def _frames(stage: Usd.Stage) -> Floats:
-    facts = read_facts(stage)
-    if facts.start is None or facts.end is None:
-        return np.zeros(0)
+def _frames(samples: Floats, facts: Facts) -> Floats:
+    """Return the frames of a stage, and those around samples beyond its range."""
+    ends = [code for code in (facts.start, facts.end) if code is not None]
+    ends += [samples[0], samples[-1]] if len(samples) else []
+    if not ends:
+        return np.zeros(1)
     step = facts.time_codes_per_second / facts.frames_per_second
-    return np.asarray(np.arange(facts.start, facts.end + 0.5 * step, step))
+    first = ends[0] + step * math.floor((min(ends) - ends[0]) / step)
+    return np.asarray(np.arange(first, max(ends) + 0.5 * step, step))
 
 
 def _short(matrix: Floats) -> Floats:

@@ -77,8 +77,8 @@ def _drawing(
     stage, codes = sheet.stage, scene.scene.time_codes
     prim, skeleton = stage.GetPrimAtPath(edit.path), stage.GetPrimAtPath(edit.skeleton)
     owners = _owners(edit)
-    standings = {"": worlds.standing(prim, codes)}
-    standings |= {each: worlds.standing(stage.GetPrimAtPath(each), codes) for each in owners}
+    standings = {"": worlds.standing(prim)}
+    standings |= {each: worlds.standing(stage.GetPrimAtPath(each)) for each in owners}
     page = Page(
         sheet=sheet,
         home=sheet.home(edit.path),

@@ -85,7 +85,7 @@ def read_ghost(edit: Usd.Prim, skeleton: Usd.Prim, codes: Floats, facts: Facts) 
         bind=bind,
         segments=segments,
         box=box,
-        placed=placement(edit, codes, onto=skeleton),
+        placed=placement(edit, onto=skeleton),
         in_root=bool(UsdSkel.Root.Find(edit)),
     )
 
