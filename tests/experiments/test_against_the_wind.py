@@ -38,3 +38,8 @@ def test_before_and_after_the_wind_it_is_the_walk(solved):
     calm = (solved.after.times <= first) | (solved.after.times >= last)
     apart = solved.after.world[calm, :, 3, :3] - solved.before.world[calm, :, 3, :3]
     assert solved.millimetres(apart) <= 0.01
+
+
+def test_the_trunk_does_not_nod_at_every_step(solved):
+    for joint in ("Hips", "Spine", "Spine1", "Spine2"):
+        assert solved.pops(joint) <= 3.5

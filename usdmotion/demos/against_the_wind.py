@@ -10,7 +10,7 @@ from usdmotion.demos.figures import Figure
 from usdmotion.demos.gait import walk
 from usdmotion.demos.walker import SKELETON, feet, seconds, write_walk
 
-LEAN = np.array((0.0, -0.02, 0.1))
+LEAN = np.array((0.0, -0.015, 0.1))
 """How far the centre of mass is displaced in full wind [m]: ahead, and a little down."""
 FRAMES = (25.0, 61.0, 97.0, 133.0)
 """The wind rises, blows, falls, is gone."""
