@@ -75,3 +75,16 @@ def test_an_edit_at_fault_does_not_hide_the_others(arm_shot, composed):
     (fault,) = found.faults
     assert fault.startswith("what </Arm/Skeleton/Bad> asks is not seen: ") and "knee" in fault
     assert found.notes == found.faults
+
+
+def test_an_edit_that_instances_share_is_told_once(arm_shot):
+    shot, stage = str(arm_shot()), Usd.Stage.CreateInMemory()
+    for name in ("First", "Second"):
+        instance = stage.DefinePrim(f"/{name}")
+        instance.GetReferences().AddReference(shot, "/Arm")
+        instance.SetInstanceable(True)
+    found = survey(stage, Path("crowd.usda"), program="nobody")
+    assert found.scenes == ()
+    (fault,) = found.faults
+    assert fault.startswith("what </First/Skeleton/Edit> asks is not seen: </First/")
+    assert "is inside an instance" in fault

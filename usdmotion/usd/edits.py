@@ -75,12 +75,18 @@ def unsolved_edits(stage: Usd.Stage, solved: Collection[str]) -> list[list[str]]
     """Return the paths of the edits that ask for something and are not among those solved.
 
     They are in groups that can be read together, because no two in one are of the same Skeleton.
+    An edit that instances share is named once, in the first of them.
     """
     groups: list[dict[str, str]] = []
-    for prim in stage.Traverse():
+    shared: set[Usd.Prim] = set()
+    for prim in Usd.PrimRange.Stage(stage, Usd.TraverseInstanceProxies()):
         path = str(prim.GetPath())
         if not is_a(prim, "UsdMotionEdit") or path in solved or not any(constraint_prims(prim)):
             continue
+        if prim.IsInstanceProxy():
+            if prim.GetPrimInPrototype() in shared:
+                continue
+            shared.add(prim.GetPrimInPrototype())
         found = skeleton_of(prim)
         skeleton = path if found is None else str(found.GetPath())
         group = next((each for each in groups if skeleton not in each), None)
