@@ -51,6 +51,12 @@ def test_who_asks_for_too_many_is_told_what_fits(count):
     assert len(asked_for(Span(float(first), float(last), float(step)), CLIP)) <= MOST
 
 
+@pytest.mark.parametrize("step", [1e-9, 1e-300])
+def test_too_many_are_counted_before_they_are_made(step):
+    with pytest.raises(OptionError):
+        asked_for(Span(1.0, 97.0, step), CLIP)
+
+
 @given(st.lists(codes, max_size=3))
 def test_telling_frames_are_few_apart_and_have_both_ends(tiers):
     found = telling(tiers, CLIP)

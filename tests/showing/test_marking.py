@@ -110,6 +110,17 @@ def test_the_centre_of_mass_is_plumb_over_the_level_of_its_supports(reaching):
     np.testing.assert_allclose(area.points[:, 1], plumb.points[1, 1])
 
 
+def test_a_row_before_shows_the_supports_of_the_input(reaching):
+    given = shown(reaching(0.3))
+    balance = given.edits[0].balance
+    for after, supports in ((False, balance.supports_before), (True, balance.supports)):
+        (area,) = of_kind(Patch, marks(given, FRAME, after=after))
+        np.testing.assert_allclose(area.points[:, 1], supports[FRAME, 0, 1])
+    assert balance.supports[FRAME, 0, 1] - balance.supports_before[FRAME, 0, 1] == pytest.approx(
+        0.3
+    )
+
+
 def test_a_scene_that_nobody_solved_shows_what_it_asks(reaching):
     given = shown_before(reaching(0.0).scene)
     assert of_kind(Spot, marks(given, 12, after=True), sign="goal")

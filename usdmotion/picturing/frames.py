@@ -54,20 +54,25 @@ def asked_for(asked: Span | Sequence[float], clip: Clip) -> Floats:
     codes = _of_span(asked, clip) if isinstance(asked, Span) else np.unique(np.array(asked, float))
     if not len(codes):
         raise OptionError("--frames names no frame; write time codes with commas, as 1,24,48")
+    _require_seen(codes, len(codes), clip)
+    return codes
+
+
+def _require_seen(codes: Floats, count: float, clip: Clip) -> None:
+    """Raise unless so many frames, of which some are known, are in the clip and fit on a page."""
     outside = codes[(codes < clip.first - _SLACK) | (codes > clip.last + _SLACK)]
     if len(outside):
         raise OptionError(
             f"--frames names {outside[0]:g}, which is outside of the clip; it goes from "
             f"{clip.first:g} to {clip.last:g}"
         )
-    if len(codes) > MOST:
+    if count > MOST:
         wide = (codes[-1] - codes[0]) / (MOST - 1)
         step = max(clip.step * np.ceil(wide / clip.step - _SLACK), clip.step)
         raise OptionError(
-            f"--frames names {len(codes)} frames, of which {MOST} fit beside each other; write "
+            f"--frames names {count:.0f} frames, of which {MOST} fit beside each other; write "
             f"--frames {codes[0]:g}:{codes[-1]:g}:{step:g}"
         )
-    return codes
 
 
 def usual(body_count: int) -> int:
@@ -111,5 +116,8 @@ def _of_span(span: Span, clip: Clip) -> Floats:
         even = np.linspace(span.first, span.last, count)
         inner = span.first + clip.step * np.round((even - span.first) / clip.step)
         return np.unique(np.minimum(inner, span.last))
-    count = int((span.last - span.first) / span.step + _SLACK) + 1
-    return np.asarray(span.first + span.step * np.arange(count), dtype=np.float64)
+    steps = float(np.floor((span.last - span.first) / span.step + _SLACK))
+    ends = np.array((span.first, span.first + span.step * steps))
+    # Before they are made: a small step names more than there is room for in memory.
+    _require_seen(ends, steps + 1.0, clip)
+    return np.asarray(span.first + span.step * np.arange(int(steps) + 1), dtype=np.float64)

@@ -30,11 +30,7 @@ def tiers_of(scenes: Sequence[ShownScene], contacts: Sequence[ContactMark]) -> l
 
 def _worst(edit: ShownEdit) -> Iterator[int]:
     for miss in edit.misses:
-        if miss.wanted is None:
-            yield int(miss.missed.argmax())
-            continue
-        left = np.linalg.norm(miss.wanted - miss.places, axis=1)
-        yield int(np.where(miss.missed, left, -1.0).argmax())
+        yield int(np.where(miss.missed, miss.errors, -1.0).argmax())
 
 
 def _wanted(edit: ShownEdit) -> Iterator[int]:

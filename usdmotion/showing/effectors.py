@@ -59,7 +59,7 @@ def misses(scene: Scene, traces: Sequence[Trace], after: WorldPose) -> Iterator[
         places = effector_places(scene, constraint, after)
         left = missing(scene, constraint, after)
         wanted = None if left is None else places + left
-        yield Miss(constraint.path, trace.name, places, wanted, missed)
+        yield Miss(constraint.path, trace.name, places, wanted, missed, trace.errors)
 
 
 def named(edit: Edit, path: str) -> str:

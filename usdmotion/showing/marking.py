@@ -93,11 +93,12 @@ def _balance(mark: BalanceMark, up: Floats, frame: int, after: bool) -> Iterator
     """Yield the centre of mass, plumb over the hull of what it is supported by."""
     result = mark.after if after and mark.after is not None else None
     center = (mark.before if result is None else result)[frame]
-    bearing = mark.supports[frame][mark.bearing[frame]]
+    supports = mark.supports_before if result is None else mark.supports
+    bearing = supports[frame][mark.bearing[frame]]
     if len(bearing):
         foot = along_ground(center, up) + float(np.mean(bearing @ up)) * up
         one = slice(frame, frame + 1)
-        area = support_guide(mark.supports[one], mark.bearing[one], up, _MARGIN).corners[0]
+        area = support_guide(supports[one], mark.bearing[one], up, _MARGIN).corners[0]
         yield Patch(area, SUPPORT)
         yield Curve(np.stack([center, foot]), INK, 0.7, 0.7, dashed=True)
         yield Spot(foot, "held", INK)

@@ -74,14 +74,15 @@ def _balance(
     if found is not None:
         supports = found.supports
         after = found.after if solved else None
-        return BalanceMark(path, found.before, after, supports.after, supports.bearing)
+        there, bearing = (supports.after, supports.before), supports.bearing
+        return BalanceMark(path, found.before, after, *there, bearing)
     if asking is None:
         return None
     cast = scene.cast
     before = mass_center(scene, edit.skeleton, (cast.positions, cast.orientations))
     nothing = np.zeros((cast.frame_count, 0, 3))
     after = mass_center(scene, edit.skeleton, pose) if solved else None
-    return BalanceMark(path, before, after, nothing, nothing[:, :, 0] > 0.0)
+    return BalanceMark(path, before, after, nothing, nothing, nothing[:, :, 0] > 0.0)
 
 
 def _actors(

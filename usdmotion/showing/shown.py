@@ -52,6 +52,8 @@ class Miss:
     """Where it is wanted [m], shape (frame_count, 3); None where it wants no place."""
     missed: Bools
     """When it is missed, shape (frame_count,)."""
+    errors: Floats
+    """How far it is from being met, in the constraint's own unit, shape (frame_count,)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,6 +68,8 @@ class BalanceMark:
     """The same in the result; None where nothing is solved yet."""
     supports: Floats
     """Points it should stay over, in the result where there is one [m], (frame_count, count, 3)."""
+    supports_before: Floats
+    """The same in the input."""
     bearing: Bools
     """Which of them bear the body then, shape (frame_count, count)."""
 
