@@ -173,3 +173,22 @@ def test_above_a_heap_of_contacts_numbers_stay_near():
     height = np.ptp(np.concatenate(guide.number)[:, 1])
     tops = [np.concatenate(each.number)[:, 1].max() for each in lifted]
     assert max(tops) - min(tops) < 15.0 * height
+
+
+@pytest.mark.parametrize(("ground", "sole"), [(0.02, 0.0), (-0.02, 0.0), (0.4, 0.4)])
+def test_a_sole_is_on_the_plane_of_the_origin_where_joints_are_just_above_it(ground, sole):
+    ankle, toes = np.array((0.3, 0.08, 0.1)), np.array((0.0, -0.08, 0.2))
+    still = Held(
+        kind="space",
+        point=np.zeros(3),
+        location=ankle + ground * UP,
+        orientation=np.array((0.0, 0.0, 0.0, 1.0)),
+        axis=np.zeros(3),
+        translations=(ankle + ground * UP)[None],
+        rotations=np.array(((0.0, 0.0, 0.0, 1.0),)),
+        way=(ankle + ground * UP)[None],
+        is_foot=True,
+        ground=ground,
+    )
+    drawn = contact_guide(still, np.array((np.zeros(3), toes)), 1, RIGHT, UP)
+    np.testing.assert_allclose(drawn.sole @ UP, sole, atol=1e-9)

@@ -4,7 +4,7 @@ from itertools import combinations
 
 import numpy as np
 
-from usdmotion.guides import COLORS, another
+from usdmotion.guides import COLORS, MISSED, another
 
 PROTANOPES = np.array([(0.1124, 0.8876, 0.0), (0.1124, 0.8876, 0.0), (0.004, -0.004, 1.0)])
 """Linear light without the cones for long waves (Viénot, Brettel and Mollon 1999)."""
@@ -24,6 +24,12 @@ def test_the_first_colours_are_apart_for_everybody():
     assert closest(first) > 0.25
     for eyes in (PROTANOPES, DEUTERANOPES):
         assert closest([eyes @ color for color in first]) > 0.12
+
+
+def test_none_can_be_taken_for_the_red_of_what_is_missed():
+    for eyes, least in ((np.eye(3), 0.45), (PROTANOPES, 0.3), (DEUTERANOPES, 0.2)):
+        for color in COLORS:
+            assert np.linalg.norm(screen(eyes @ color) - screen(eyes @ MISSED)) > least
 
 
 def test_each_is_given_once_before_any_is_given_again():

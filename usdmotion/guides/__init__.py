@@ -11,7 +11,7 @@ from usdmotion.guides.contacts import (
     size_of,
     trajectory,
 )
-from usdmotion.guides.palette import COLORS, Color, another, same
+from usdmotion.guides.palette import COLORS, MISSED, Color, another, same
 from usdmotion.guides.polylines import simplified
 from usdmotion.guides.segments import GIRTH, SegmentGuide, is_segment_guide, segment_guide
 from usdmotion.guides.supports import SupportGuide, support_guide
@@ -20,6 +20,7 @@ from usdmotion.guides.thinning import thinned
 __all__ = [
     "COLORS",
     "GIRTH",
+    "MISSED",
     "OCTAHEDRON_FACES",
     "Color",
     "ContactGuide",

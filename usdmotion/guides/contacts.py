@@ -22,6 +22,9 @@ _CLEAR, _APART = 1.2, 0.6
 """How near numbers may be, and how far one is lifted at a time, over their height."""
 _MOST_SHIFTS = 20
 """So many places are tried for a number; above a heap of more it stays where it belongs."""
+_LOW = 0.25
+"""The lowest joint of somebody who stands on the plane of the origin is at most this far from it,
+over the length of his foot: joints are inside him."""
 _DETAIL = 0.03
 """How exactly ways are drawn, over the size of the object."""
 
@@ -219,8 +222,9 @@ def _sole(held: Held, there: Floats, size: float, up: Floats) -> Floats:
         return np.zeros((0, 3))
     lowest = float((there @ up).min())
     # On a step or a hill it is not the one ground of the stage that it stands on.
-    known = 0.0 <= lowest - held.ground <= size
-    return sole(there, up, held.ground if known else lowest)
+    known = -_LOW * size <= lowest - held.ground <= size
+    ground = 0.0 if abs(held.ground) <= _LOW * size else held.ground
+    return sole(there, up, ground if known else lowest)
 
 
 def _square(normal: Floats, location: Floats, places: Floats, size: float) -> Floats:

@@ -8,18 +8,21 @@ Color = tuple[float, float, float]
 """Red, green and blue as USD holds them, linear, 0..1."""
 
 _HEX = (
-    "E69F00",
     "0072B2",
     "009E73",
     "CC79A7",
     "56B4E9",
-    "D55E00",
     "F0E442",
-    "882255",
-    "999933",
+    "E69F00",
+    "AA4499",
     "332288",
+    "44AA99",
+    "DDCC77",
 )
-"""The colours of Okabe and Ito (2008), then of Tol (2021); neighbours are far apart."""
+"""The colours of Okabe and Ito (2008), then of Tol (2021), but for those that somebody could take
+for the red of what is missed; neighbours are far apart."""
+MISSED: Color = (0.85, 0.02, 0.02)
+"""Of what was missed, and of nothing else."""
 _SAME = 1e-3
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from pxr import Sdf, Usd, UsdGeom, UsdSkel
 
-from usdmotion import usd
+from usdmotion import pipeline, usd
 
 EDIT = "/Walker/Skeleton/Reaching"
 FOOT = "Hips/LeftUpLeg/LeftLeg/LeftFoot"
@@ -99,7 +99,7 @@ def test_a_foot_that_stands_leaves_its_sole_on_the_ground(by_hand):
     usd.author_contact_marks(by_hand, usd.read_contact_marks(by_hand))
     sole = by_hand.GetPrimAtPath(f"{EDIT}/Stands/Guides/Sole")
     points = np.array(UsdGeom.Mesh(sole).GetPointsAttr().Get())
-    assert np.ptp(points[:, 1]) < 1e-3 and -1.0 < points[0, 1] < 3.0
+    np.testing.assert_allclose(points[:, 1], 0.0, atol=1e-3)
     ankle = place(by_hand, FOOT, 18.0)
     assert points[:, 2].min() < ankle[2] < points[:, 2].max()
     assert points[:, 0].min() < ankle[0] < points[:, 0].max()
@@ -135,3 +135,14 @@ def test_where_an_effector_goes_has_the_colour_of_the_contact(by_hand, solved, g
 
     assert color("Stands/Guides/Held") == color("Stands/Guides/After")
     assert color("Stands/Guides/Held") != color("LeftWrist/Guides/After")
+
+
+def test_what_a_detection_shows_of_an_object_is_drawn_once(walk_shot, tmp_path, guided):
+    found = tmp_path / "found.usda"
+    pipeline.detect(walk_shot.parent / "reaching.usda", found, joints=["LeftFoot"], minimum=0.1)
+    drawn = guided(found)
+    (detection,) = (p for p in drawn.Traverse() if p.GetTypeName() == "MotionDetection")
+    assert detection.GetPrimAtPath("Guides/Trajectory")
+    assert drawn.GetPrimAtPath(f"{EDIT}/LeftWrist/Guides/Before")
+    for prim in detection.GetChildren():
+        assert not prim.GetPrimAtPath("Guides/Before")

@@ -135,6 +135,20 @@ def test_a_prop_without_shapes_has_no_ghost(ghosts):
     assert not ghosts(inside="")
 
 
+@pytest.mark.parametrize("name", ["First", "Second"])
+def test_a_joint_of_an_instance_has_the_skin_of_its_own(name):
+    stage = dense(30)
+    for each in ("First", "Second"):
+        copy = stage.DefinePrim(f"/{each}")
+        copy.GetInherits().AddInherit("/Man")
+        copy.SetInstanceable(True)
+    bones = stage.GetPrimAtPath(f"/{name}/Bones")
+    assert bones.IsInstanceProxy()
+    part = Skins(bones).part("hips/hand")
+    assert part is not None
+    np.testing.assert_allclose(np.linalg.norm(part.points, axis=1), 1.0, atol=1e-3)
+
+
 def dense(count=3000):
     """Return the skeleton of a stage whose second joint moves a ball of many points."""
     stage = Usd.Stage.CreateInMemory()

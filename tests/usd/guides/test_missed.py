@@ -49,6 +49,20 @@ def test_it_goes_from_the_effector_to_where_that_is_wanted(strained):
             assert np.linalg.norm(points - ends, axis=1).max() < 0.2
 
 
+def test_it_goes_along_until_it_is_seen_no_more(strained):
+    stage, seen = strained
+    moved = []
+    for miss in seen.edits[0].misses:
+        guide = UsdGeom.PointBased(stage.GetPrimAtPath(f"{miss.path}/Guides/Missed"))
+        for frame in np.flatnonzero(miss.missed[:-1] & ~miss.missed[1:]):
+            code = 0.5 * (seen.scene.time_codes[frame] + seen.scene.time_codes[frame + 1])
+            points = np.array(guide.GetPointsAttr().Get(code))
+            ends = 100.0 * np.array([miss.places[frame:][:2], miss.wanted[frame:][:2]])
+            assert np.linalg.norm(points - ends.mean(axis=1), axis=1).max() < 0.2
+            moved.append(np.linalg.norm(np.diff(ends, axis=1)))
+    assert max(moved) > 0.5
+
+
 def test_it_is_red_and_nothing_else_is(strained):
     stage, _ = strained
     for prim in stage.Traverse():

@@ -26,6 +26,7 @@ def page():
         standings=nothing,
         homes=nothing,
         colors=nothing,
+        traced=frozenset(),
     )
 
 

@@ -3,10 +3,10 @@
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.guides import Color, simplified
+from usdmotion.guides import MISSED, Color, simplified
 from usdmotion.quality import runs
 from usdmotion.showing.shown import Course, Miss
-from usdmotion.usd.guides.pages import BEFORE, MISSED, PALE, Page, seen
+from usdmotion.usd.guides.pages import BEFORE, PALE, Page, seen
 from usdmotion.usd.guides.prims import (
     author_curve,
     author_opacity,
@@ -24,12 +24,19 @@ _APART = 0.002
 def draw_course(page: Page, course: Course) -> None:
     """Draw where an effector goes in the input, and in the result where that is elsewhere."""
     if course.path in page.homes:
-        color = page.color(course.path)
-        draw_ways(page, course.path, "", course.before, course.after, color)
+        color, traced = page.color(course.path), course.path in page.traced
+        draw_ways(page, course.path, "", course.before, course.after, color, drawn=traced)
 
 
 def draw_ways(
-    page: Page, owner: str, name: str, before: Floats, after: Floats | None, color: Color
+    page: Page,
+    owner: str,
+    name: str,
+    before: Floats,
+    after: Floats | None,
+    color: Color,
+    *,
+    drawn: bool = False,
 ) -> None:
     """Draw a way before and after, or one where nobody could tell them apart.
 
@@ -40,12 +47,13 @@ def draw_ways(
         before: In the input [m], shape (frame_count, 3).
         after: In the result.
         color: Of the result.
+        drawn: Whether somebody else draws the way in the input.
     """
     now = before if after is None else after
     differ = np.linalg.norm(now - before, axis=1).max() > _APART * page.size * page.unit
-    if differ or after is None:
+    if (differ or after is None) and not drawn:
         _draw_way(page, owner, f"{name}{BEFORE_NAME}", before, _LINE, BEFORE)
-    if after is not None:
+    if after is not None and (differ or not drawn):
         _draw_way(page, owner, f"{name}{AFTER_NAME}", now, _THICK, color)
 
 
@@ -56,7 +64,7 @@ def draw_miss(page: Page, miss: Miss) -> None:
     prim = page.item(miss.path, MISSED_NAME)
     ends = [miss.places] if miss.wanted is None else [miss.places, miss.wanted]
     places = np.stack(ends, axis=1) / page.unit
-    shown = page.in_stretches(places, page.near, runs(miss.missed))
+    shown = page.in_stretches(places, page.near, _seen_until(miss))
     if miss.wanted is None:
         author_points(prim, shown, page.width(_SPOT), MISSED)
     else:
@@ -64,6 +72,12 @@ def draw_miss(page: Page, miss: Miss) -> None:
     author_opacity(prim, 1.0)
     if not miss.missed.all():
         author_visibility(prim, seen(page.codes, miss.missed))
+
+
+def _seen_until(miss: Miss) -> list[tuple[int, int]]:
+    """Return the frames of each stretch, and the one after it, until which USD shows the last."""
+    count = len(miss.missed)
+    return [(first, min(end + 1, count)) for first, end in runs(miss.missed)]
 
 
 def _draw_way(

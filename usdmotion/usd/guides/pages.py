@@ -14,8 +14,6 @@ from usdmotion.usd.layers import over
 
 BEFORE: Color = (0.32, 0.36, 0.4)
 """Of the input."""
-MISSED: Color = (0.85, 0.02, 0.02)
-"""Of what was missed."""
 PALE = 0.35
 """Opacity of the input."""
 _NEAR = 6e-4
@@ -43,6 +41,8 @@ class Page:
     """Path of the guides of each constraint, by its own."""
     colors: Mapping[str, Color]
     """Of each constraint, by its path."""
+    traced: frozenset[str]
+    """Paths of the constraints whose effector has its whole way in the input drawn already."""
 
     @property
     def near(self) -> float:

@@ -16,6 +16,7 @@ from usdmotion.usd.guides.pages import Page
 from usdmotion.usd.guides.placements import Worlds
 from usdmotion.usd.guides.sheets import Sheet, author_home, is_of_contact, redrawn
 from usdmotion.usd.guides.skeletons import Ghost, draw_ghost, read_ghost
+from usdmotion.usd.relations import is_a
 from usdmotion.usd.shot import Facts
 from usdmotion.usd.stages import read_facts
 
@@ -43,7 +44,8 @@ def author_guides(
     Args:
         stage: The stage that the scenes were read from.
         shown: What there is to see of them.
-        contacts: Those of the stage; what is asked by one has the colour of what it holds.
+        contacts: Those of the stage; what is asked by one has the colour of what it holds, and no
+            way in the input where its detection shows it.
 
     Returns:
         Paths of the prims below which something is drawn.
@@ -89,6 +91,7 @@ def _drawing(
         standings=standings,
         homes={owner: sheet.home(owner) for owner in owners},
         colors=_colors(owners, contacts),
+        traced=frozenset(each for each in owners if each in contacts and _is_detected(stage, each)),
     )
     ghost = read_ghost(prim, skeleton, codes, facts) if edit.solved else None
     return _Drawing(page, edit, ghost)
@@ -114,6 +117,11 @@ def _owners(edit: ShownEdit) -> list[str]:
     others = [*(each.path for each in edit.courses), *(each.path for each in edit.misses)]
     balance = [edit.balance.path] if edit.balance and edit.balance.path != edit.path else []
     return list(dict.fromkeys([*others, *goals, *balance]))
+
+
+def _is_detected(stage: Usd.Stage, contact: str) -> bool:
+    """Tell whether a contact stands in a detection, which shows the whole way of its object."""
+    return is_a(stage.GetPrimAtPath(contact).GetParent(), "UsdMotionDetection")
 
 
 def _colors(owners: Sequence[str], contacts: Mapping[str, Color]) -> dict[str, Color]:
