@@ -68,6 +68,8 @@ def test_an_edit_is_solved_its_result_shown_muted_and_judged(seat, qt, untouched
 
     assert here.pick("inspect").startswith("1 skeleton, 1 edit, 6 constraints; no faults")
     assert "Reaching_result" in qt.shown[0]
+    # The ghost that is drawn is no character.
+    assert "contacts on" in here.pick("detect")
     assert qt.asked == [] and qt.cursors == []
 
 
@@ -188,6 +190,15 @@ def test_results_go_where_somebody_wants(seat, qt, tmp_path, untouched):
 
     assert here.pick("to_session") == "results go to the session layer"
     assert [each.checked for each in marks] == [True, False, False]
+
+
+def test_a_layer_of_the_stage_is_called_one(seat, qt, tmp_path):
+    own, shot = Sdf.Layer.CreateNew(str(tmp_path / "own.usda")), Sdf.Layer.CreateAnonymous()
+    own.Save()
+    shot.subLayerPaths.append(own.identifier)
+    qt.answer = own.realPath
+    said = seat(shot).pick("to_layer")
+    assert said == f"results go to {own.realPath}, which is a layer of the stage itself"
 
 
 def test_results_of_the_session_go_along_to_a_file(seat, qt, tmp_path, untouched):

@@ -43,7 +43,12 @@ def Xform "World" {
 ONE = """#usda 1.0
 def Skeleton "Bones" {
     uniform token[] joints = ["hips"]
-    def MotionEdit "Edit" {}
+    def MotionEdit "Edit" {
+        def Xform "Guides" {
+            uniform token purpose = "guide"
+            def Skeleton "Ghost" {}
+        }
+    }
 }
 def Cube "Box" {}
 """

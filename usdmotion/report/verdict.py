@@ -16,6 +16,9 @@ from usdmotion.report.wording import kind_of
 from usdmotion.scene import Scene
 from usdmotion.solving import Problem, Solution
 
+_TOLD = 0.01
+"""Errors are as large as each other within this share of what is tolerated."""
+
 
 @dataclass(frozen=True)
 class ConstraintReport:
@@ -93,6 +96,8 @@ def judged(constraint: Constraint, errors: Floats, time_codes: Floats) -> Constr
     """Return the report of one constraint from its errors on the plateau and their times."""
     largest = float(errors.max(initial=0.0))
     on = len(errors) > 0
+    # The first of those that are as large, so that rounding does not choose among them.
+    alike = _TOLD * tolerance(constraint)
     return ConstraintReport(
         path=constraint.path,
         type=constraint.schema,
@@ -100,7 +105,7 @@ def judged(constraint: Constraint, errors: Floats, time_codes: Floats) -> Constr
         max=largest,
         rms=float(np.sqrt(np.mean(errors**2))) if on else 0.0,
         unit=constraint.unit,
-        worst_time=float(time_codes[errors.argmax()]) if on else None,
+        worst_time=float(time_codes[(errors >= largest - alike).argmax()]) if on else None,
         met=largest <= tolerance(constraint),
     )
 

@@ -136,7 +136,10 @@ def to_target(here: Here) -> str:
 
 
 def to_layer(here: Here) -> str:
-    """Let results go to a file, which is put over the stage, and those that are there as well."""
+    """Let results go to a file, and those that are there as well.
+
+    It is put over the stage, unless it is one of the stage's own layers.
+    """
     stage = here.selection.stage
     beside = Path(here.desk.layer or stage.GetRootLayer().realPath or "shot.usda").parent
     path = here.window.choose_file("Results go to", str(beside), SUFFIXES)
@@ -149,7 +152,9 @@ def to_layer(here: Here) -> str:
     if along:
         destinations.take_along(stage, layer)
     more = ", with what the session layer had" if along else ""
-    return f"results go to {layer.realPath}, which is over the stage{more}"
+    within = layer in stage.GetLayerStack(includeSessionLayers=False)
+    where = "a layer of the stage itself" if within else "over the stage"
+    return f"results go to {layer.realPath}, which is {where}{more}"
 
 
 def _asked_joint(here: Here, skeleton: str) -> str:

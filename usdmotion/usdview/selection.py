@@ -12,6 +12,7 @@ from typing import Any
 from pxr import Usd, UsdSkel
 
 from usdmotion.errors import SceneError
+from usdmotion.usd.drawn import without_guides
 from usdmotion.usd.relations import bound_animation, edit_of, is_a, nearest, skeleton_of, target
 
 _SKELETON, _EDIT, _DETECTION = "UsdSkelSkeleton", "UsdMotionEdit", "UsdMotionDetection"
@@ -181,7 +182,7 @@ def _props_of(prim: Usd.Prim) -> list[Usd.Prim]:
 
 
 def _below(prim: Usd.Prim, kind: str) -> list[Usd.Prim]:
-    inside = Usd.PrimRange(prim, Usd.TraverseInstanceProxies())
+    inside = without_guides(Usd.PrimRange(prim, Usd.TraverseInstanceProxies()))
     return [each for each in inside if is_a(each, kind)]
 
 

@@ -64,3 +64,37 @@ def test_what_we_say_of_a_layer_goes_along_and_what_others_say_stays(stage):
     move_prims(stage, stage.GetSessionLayer(), beneath)
     assert beneath.customLayerData == {"usdmotion": {"version": "1"}}
     assert stage.GetSessionLayer().customLayerData == {"studio": 7}
+
+
+VARIANTS = """#usda 1.0
+over "World" (
+    variants = { string look = "new" }
+    prepend variantSets = "look"
+) {
+    variantSet "look" = {
+        "new" {
+            over "Ball" {
+                double size.timeSamples = { 0: 1, 10: 2 }
+            }
+        }
+        "own" {
+        }
+    }
+}
+"""
+
+
+def test_what_is_said_in_variants_goes_along(stage):
+    stage, beneath = stage
+    there = VARIANTS.replace("over", "def").replace("1, 10: 2", "7").replace('"own"', '"old"')
+    beneath.ImportFromString(there)
+    session = stage.GetSessionLayer()
+    session.ImportFromString(VARIANTS)
+    ball = "/World/Ball.size"
+    before = [stage.GetAttributeAtPath(ball).Get(code) for code in (0.0, 5.0, 10.0)]
+    assert before == [1.0, 1.5, 2.0]
+    move_prims(stage, session, beneath)
+    assert [stage.GetAttributeAtPath(ball).Get(code) for code in (0.0, 5.0, 10.0)] == before
+    assert not session.rootPrims
+    look = stage.GetPrimAtPath("/World").GetVariantSets().GetVariantSet("look")
+    assert set(look.GetVariantNames()) == {"new", "own", "old"}

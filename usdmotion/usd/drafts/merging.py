@@ -49,6 +49,9 @@ def _merge_prim(prim: Sdf.PrimSpec, layer: Sdf.Layer, whole: Collection[Sdf.Path
             there.SetInfo(key, _over(prim.GetInfo(key), before))
     for each in list(prim.properties):
         _put_property(each, layer)
+    for variants in list(prim.variantSets.values()):
+        for variant in list(variants.variants.values()):
+            _merge_prim(variant.primSpec, layer, whole)
     for child in list(prim.nameChildren):
         _merge_prim(child, layer, whole)
 

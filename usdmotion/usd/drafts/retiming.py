@@ -25,12 +25,10 @@ def retime(layer: Sdf.Layer, offset: Sdf.LayerOffset) -> None:
     paths: list[Sdf.Path] = []
     layer.Traverse(Sdf.Path.absoluteRootPath, paths.append)
     for path in paths:
-        if path.IsPrimPath():
-            prim = layer.GetPrimAtPath(path)
-            if prim.HasInfo("customData"):
-                prim.SetInfo("customData", _retimed(prim.GetInfo("customData"), offset))
-        elif path.IsPropertyPath() and (attribute := layer.GetAttributeAtPath(path)):
+        if attribute := layer.GetAttributeAtPath(path):
             _retime_attribute(attribute, offset)
+        elif (prim := layer.GetPrimAtPath(path)) and prim.HasInfo("customData"):
+            prim.SetInfo("customData", _retimed(prim.GetInfo("customData"), offset))
 
 
 def _retime_attribute(attribute: Sdf.AttributeSpec, offset: Sdf.LayerOffset) -> None:
