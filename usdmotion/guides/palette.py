@@ -8,12 +8,12 @@ Color = tuple[float, float, float]
 """Red, green and blue as USD holds them, linear, 0..1."""
 
 _HEX = (
+    "E69F00",
     "0072B2",
     "009E73",
     "CC79A7",
     "56B4E9",
     "F0E442",
-    "E69F00",
     "AA4499",
     "332288",
     "44AA99",

@@ -23,9 +23,9 @@ from usdmotion.usd.layers import over, set_value
 
 CENTER = "CenterOfMass"
 SUPPORTS = "Supports"
-MASS = COLORS[5]
+MASS = COLORS[6]
 """Colour of a centre of mass."""
-_GROUND = COLORS[1]
+_GROUND = COLORS[2]
 _SPOT, _LINE, _MARGIN = 0.025, 0.002, 0.01
 """Size of the point, thickness of its drop line, and how far the area goes around its corners, over
 the size of the body."""
