@@ -37,6 +37,8 @@ class Answers:
     """The scenes of a shot, solved, and what was done to the input of edits first, by paths."""
 
     scenes: tuple[SolvedScene, ...]
+    inputs: tuple[Scene, ...]
+    """What each was before it was solved: cleaned, and on its ground."""
     cleanings: Mapping[str, Cleaning]
     groundings: Mapping[str, Grounding]
 
@@ -72,6 +74,7 @@ def solved_scenes(
         PluginError: The solver does not keep its contract.
     """
     scenes: list[SolvedScene] = []
+    inputs: list[Scene] = []
     cleanings: dict[str, Cleaning] = {}
     groundings: dict[str, Grounding] = {}
     for scene in shot.scenes:
@@ -82,10 +85,11 @@ def solved_scenes(
         cleanings |= told
         stood = grounded(standing_on(clean, ground), feet_detector())
         groundings |= stood.accounts
+        inputs.append(stood.posed(stood.scene))
         scenes.append(
             SolvedScene(stood.scene, chosen, mend_recruiting=mend_recruiting, on_ground=stood.posed)
         )
-    return Answers(tuple(scenes), cleanings, groundings)
+    return Answers(tuple(scenes), tuple(inputs), cleanings, groundings)
 
 
 def feet_detector() -> Detect:
@@ -110,7 +114,13 @@ def results_of(solved: SolvedScene) -> Iterable[Result]:
         yield Result(edit.path, solved.motion(edit.skeleton), chosen.name, settings)
 
 
-def beside_its_input(outcome: Outcome, told: Told | None, path: Path, program: str) -> Outcome:
+def beside_its_input(
+    outcome: Outcome,
+    told: Told | None,
+    path: Path,
+    program: str,
+    inputs: Sequence[Scene] = (),
+) -> Outcome:
     """Return an outcome beside the input that its edits started from, and what was solved.
 
     That was cleaned, or put on the ground, where they ask for it.
@@ -120,6 +130,7 @@ def beside_its_input(outcome: Outcome, told: Told | None, path: Path, program: s
         told: The ground that a program told when it was solved.
         path: How to call the stage in an error.
         program: What a program calls that knows the ground.
+        inputs: What `Answers` has of the solve that the results are of, where that is at hand.
 
     Raises:
         FileError: Its ground was told by a program, and nobody tells it now.
@@ -129,6 +140,12 @@ def beside_its_input(outcome: Outcome, told: Told | None, path: Path, program: s
             f"{path}: its motion was put on a ground that a program told, so that only a program "
             f"can tell what became of it; call {program} with that ground"
         )
+    edits = [edit.path for edit in outcome.scene.edits]
+    # What has changed since has another input.
+    fresh = not any(record.stale for record in outcome.records)
+    for known in inputs:
+        if fresh and [edit.path for edit in known.edits] == edits:
+            return replace(outcome, scene=known)
     scene = standing_on(outcome.scene, told if outcome.told else None)
     if any(edit.cleaning > 0.0 for edit in scene.edits):
         record = outcome.records[0]

@@ -12,6 +12,7 @@ from usdmotion.errors import SceneError
 from usdmotion.grounding import Told
 from usdmotion.plugins import host
 from usdmotion.report.guides import EditGuides, GuidesReport, ObjectGuides
+from usdmotion.scene import Scene
 from usdmotion.showing import ShownEdit
 from usdmotion.surveying import survey
 
@@ -31,6 +32,7 @@ def guides(
     *,
     shot: Path | None = None,
     ground: Told | None = None,
+    inputs: Sequence[Scene] = (),
     say: Say = lambda _: None,
 ) -> GuidesReport:
     """Draw what there is to see of a stage, in a layer over it.
@@ -43,6 +45,7 @@ def guides(
         output: The layer to write; what it is drawn over are its sublayers.
         shot: The shot under a layer of results; None finds it as `usd.read_outcomes` says.
         ground: The ground that a program told when it was solved.
+        inputs: What `Answers` has of that solve, where it is at hand.
         say: Is told what is being done.
 
     Returns:
@@ -56,14 +59,19 @@ def guides(
     say(f"reading {result}")
     *between, beneath = usd.files_of(result, shot=shot, kinds=host().constraints)
     overlay = usd.Overlay.open(beneath, output, between=between)
-    drawn = guides_over(overlay.stage, result, ground=ground, say=say)
+    drawn = guides_over(overlay.stage, result, ground=ground, inputs=inputs, say=say)
     say(f"writing {output}")
     overlay.write()
     return drawn
 
 
 def guides_over(
-    stage: Stage, path: Path, *, ground: Told | None = None, say: Say = lambda _: None
+    stage: Stage,
+    path: Path,
+    *,
+    ground: Told | None = None,
+    inputs: Sequence[Scene] = (),
+    say: Say = lambda _: None,
 ) -> GuidesReport:
     """Draw what there is to see of a stage that is open, in its edit target.
 
@@ -71,6 +79,7 @@ def guides_over(
         stage: The stage.
         path: How to call it in an error.
         ground: The ground that a program told when it was solved.
+        inputs: What `Answers` has of that solve, where it is at hand.
         say: Is told what is being done.
 
     Returns:
@@ -81,7 +90,9 @@ def guides_over(
     """
     from usdmotion import usd
 
-    seen = survey(stage, path, program="usdmotion.guiding.guides", ground=ground, say=say)
+    seen = survey(
+        stage, path, program="usdmotion.guiding.guides", ground=ground, inputs=inputs, say=say
+    )
     edits = tuple(_told(edit) for scene in seen.scenes for edit in scene.edits)
     say("drawing")
     try:
@@ -96,7 +107,12 @@ def guides_over(
 
 
 def drawing(
-    wanted: bool | Path, path: Path, *, ground: Told | None = None, say: Say = lambda _: None
+    wanted: bool | Path,
+    path: Path,
+    *,
+    ground: Told | None = None,
+    inputs: Sequence[Scene] = (),
+    say: Say = lambda _: None,
 ) -> Draw | None:
     """Return what draws guides into a layer that is being made; None where none are wanted there.
 
@@ -104,11 +120,12 @@ def drawing(
         wanted: Whether they are wanted, or the file in which they are wanted instead.
         path: How to call the stage in an error.
         ground: The ground that a program told when it was solved.
+        inputs: What `Answers` has of that solve, where it is at hand.
         say: Is told what is being done.
     """
     if wanted is not True:
         return None
-    return lambda stage: guides_over(stage, path, ground=ground, say=say)
+    return lambda stage: guides_over(stage, path, ground=ground, inputs=inputs, say=say)
 
 
 def guides_beside(
@@ -117,6 +134,7 @@ def guides_beside(
     *,
     shot: Path | None = None,
     ground: Told | None = None,
+    inputs: Sequence[Scene] = (),
     say: Say = lambda _: None,
 ) -> None:
     """Draw what there is to see of a layer that was written, where a file is wanted for it.
@@ -126,31 +144,39 @@ def guides_beside(
         result: The layer, or a stage.
         shot: The shot under it, where it has none as its sublayer.
         ground: The ground that a program told when it was solved.
+        inputs: What `Answers` has of that solve, where it is at hand.
         say: Is told what is being done.
 
     Raises:
         InputError: The file cannot be written.
     """
     if isinstance(wanted, Path):
-        guides(result, wanted, shot=shot, ground=ground, say=say)
+        guides(result, wanted, shot=shot, ground=ground, inputs=inputs, say=say)
 
 
-def write_with_guides(overlay: Overlay, wanted: bool | Path, *, say: Say = lambda _: None) -> None:
+def write_with_guides(
+    overlay: Overlay,
+    wanted: bool | Path,
+    *,
+    inputs: Sequence[Scene] = (),
+    say: Say = lambda _: None,
+) -> None:
     """Write a layer, and guides where they are wanted.
 
     Args:
         overlay: The layer, with all else in it.
         wanted: Whether guides are wanted in it, or the file in which they are wanted instead.
+        inputs: What `Answers` has of the solve whose results are in it, where it is at hand.
         say: Is told what is being done.
 
     Raises:
         InputError: The layer or the file cannot be written.
     """
     if wanted is True:
-        guides_over(overlay.stage, overlay.shot, say=say)
+        guides_over(overlay.stage, overlay.shot, inputs=inputs, say=say)
     say(f"writing {overlay.output}")
     overlay.write()
-    guides_beside(wanted, overlay.output, say=say)
+    guides_beside(wanted, overlay.output, inputs=inputs, say=say)
 
 
 def require_room(wanted: bool | Path, layers: Sequence[Path | None], shots: Sequence[Path]) -> None:

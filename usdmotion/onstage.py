@@ -143,7 +143,7 @@ def worst(stage: Stage, constraint: str) -> Worst:
     Raises:
         SceneError: It has no result, or is never fully on.
     """
-    outcomes = _outcomes(stage)
+    outcomes = _outcomes(stage, constraint)
     return _named(stage, lambda: _worst(outcomes, constraint))
 
 
@@ -251,14 +251,21 @@ def _worst(outcomes: Sequence[Outcome], constraint: str) -> Worst:
     )
 
 
-def _outcomes(stage: Stage) -> list[Outcome]:
-    """Return what became of the edits of a stage, beside the input that they started from."""
+def _outcomes(stage: Stage, path: str = "") -> list[Outcome]:
+    """Return what became of the edits of a stage, beside the input that they started from.
+
+    Where a prim is named, it is of those only that are solved together with the edit above it.
+    """
     name, call = usd.name_of(stage), "usdmotion.reporting.report"
     solved = usd.solved_edits(stage)
     if not solved:
         raise SceneError(f"{name}: there is no result of a MotionEdit; solve it first")
     read = usd.outcomes_of(stage, name, host().constraints, solved)
-    return [beside_its_input(each, None, name, call) for each in read]
+    return [beside_its_input(each, None, name, call) for each in read if _holds(each, path)]
+
+
+def _holds(outcome: Outcome, path: str) -> bool:
+    return not path or any(f"{path}/".startswith(f"{edit.path}/") for edit in outcome.scene.edits)
 
 
 def _several(paths: str | Sequence[str]) -> Sequence[str]:

@@ -205,12 +205,7 @@ def solve(
         InputError: The stage, an edit or an option is at fault.
         PluginError: The solver does not keep its contract.
     """
-    from usdmotion import usd
-
-    usd.require_apart((output, compose), (page,))
-    require_room(guides, (output, compose), (shot,))
-    if page is not None:
-        require_matplotlib()
+    _require_places(shot, (output, compose), page, guides)
     session = Session.open(
         shot,
         edits=edits,
@@ -223,11 +218,12 @@ def solve(
         say=say,
     )
     say(f"writing {output}")
-    told = told_by(ground)
-    session.write(output, compose=compose, draw=drawing(guides, shot, ground=told, say=say))
-    guides_beside(guides, output, shot=shot, ground=told, say=say)
+    told, inputs = told_by(ground), session.inputs
+    draw = drawing(guides, shot, ground=told, inputs=inputs, say=say)
+    session.write(output, compose=compose, draw=draw)
+    guides_beside(guides, output, shot=shot, ground=told, inputs=inputs, say=say)
     if page is not None:
-        report(output, page, shot=shot, ground=told, say=say)
+        report(output, page, shot=shot, ground=told, inputs=inputs, say=say)
     return session.report()
 
 
@@ -267,12 +263,7 @@ def clean(
         InputError: The stage, or what is asked for, is at fault.
         PluginError: A detector or solver does not keep its contract.
     """
-    from usdmotion import usd
-
-    usd.require_apart((output,), (page,))
-    require_room(guides, (output,), (shot,))
-    if page is not None:
-        require_matplotlib()
+    _require_places(shot, (output,), page, guides)
     asked = Asked(
         joints=tuple(joints),
         templates=tuple(templates),
@@ -289,3 +280,15 @@ def clean(
 def _require(path: Path) -> None:
     if not path.is_file():
         raise FileError(f"{path}: there is no such file")
+
+
+def _require_places(
+    shot: Path, layers: Sequence[Path | None], page: Path | None, guides: bool | Path
+) -> None:
+    """Raise if what is to be written of a shot would be in the way of something, or cannot be."""
+    from usdmotion import usd
+
+    usd.require_apart(layers, (page,))
+    require_room(guides, layers, (shot,))
+    if page is not None:
+        require_matplotlib()

@@ -82,7 +82,7 @@ def plant(
     results = [result for solved in scenes for result in results_of(solved)]
     layer = overlay.stage.GetRootLayer()
     overlay.remember(**usd.put(layer, read, results, output.parent, notes))
-    write_with_guides(overlay, guides, say=say)
+    write_with_guides(overlay, guides, inputs=answers.inputs, say=say)
     feet, kept = _became(read, scenes, detections)
     return PlantingReport(feet, kept, edits, looked.objects, notes)
 

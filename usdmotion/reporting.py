@@ -13,6 +13,7 @@ from usdmotion.report.findings import Findings, findings_of
 from usdmotion.report.moments import telling
 from usdmotion.report.page import Chapter, page
 from usdmotion.report.pictures import drawing, pictures_of, postures_of, require_matplotlib
+from usdmotion.scene import Scene
 from usdmotion.showing import ShownScene, shown
 from usdmotion.showing.poses import poses
 from usdmotion.terminal import write_bytes, write_text
@@ -27,6 +28,7 @@ def report(
     shot: Path | None = None,
     png: Path | None = None,
     ground: Told | None = None,
+    inputs: Sequence[Scene] = (),
     say: Callable[[str], None] = lambda _: None,
 ) -> tuple[Findings, ...]:
     """Write the report of what a stage, or a layer of results, shows.
@@ -39,6 +41,7 @@ def report(
         shot: The shot under the layer; None finds it beside it, as `usd.read_outcomes` says.
         png: The folder into which the pictures are written as well, made where it is missing.
         ground: The ground that a program told when it was solved.
+        inputs: What `Answers` has of that solve, where it is at hand.
         say: Is told what is being done.
 
     Returns:
@@ -54,7 +57,7 @@ def report(
     say(f"reading {result}")
     read = usd.read_outcomes(result, shot=shot, kinds=host().constraints)
     call = "usdmotion.reporting.report"
-    outcomes = [beside_its_input(each, ground, result, call) for each in read]
+    outcomes = [beside_its_input(each, ground, result, call, inputs) for each in read]
     return tell(outcomes, result.name, output, png=png, say=say)
 
 

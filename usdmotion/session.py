@@ -225,13 +225,17 @@ class Session:
         draft.put(whole=[take.result for take in self._shot.takes], **said)
 
     @property
+    def inputs(self) -> tuple[Scene, ...]:
+        """What was first solved: scenes that are cleaned, and on their grounds."""
+        return self._answers.inputs
+
+    @property
     def _asked(self) -> Shot:
         """What was read, with what is asked of it now."""
         # Results are what has changed of what was read, be that cleaned and put on a ground or not.
         pairs = zip(self._shot.scenes, self._scenes, strict=True)
-        return replace(
-            self._shot, scenes=tuple(_as_read(solved.scene, read) for read, solved in pairs)
-        )
+        scenes = tuple(_as_read(solved.scene, read) for read, solved in pairs)
+        return replace(self._shot, scenes=scenes)
 
     @property
     def _results(self) -> list[Result]:

@@ -12,6 +12,7 @@ from usdmotion.errors import SceneError
 from usdmotion.grounding import Told
 from usdmotion.outcome import Outcome
 from usdmotion.plugins import host
+from usdmotion.scene import Scene
 from usdmotion.showing import ShownScene, shown, shown_before
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ def survey(
     *,
     program: str,
     ground: Told | None = None,
+    inputs: Sequence[Scene] = (),
     say: Say = lambda _: None,
 ) -> Survey:
     """Return what there is to see of a stage as it stands.
@@ -48,6 +50,7 @@ def survey(
         path: How to call it in an error.
         program: What a program calls that knows the ground of a result, to be named in an error.
         ground: The ground that a program told when the stage was solved.
+        inputs: What `Answers` has of that solve, where it is at hand.
         say: Is told what is being done.
 
     Raises:
@@ -58,8 +61,8 @@ def survey(
     kinds, solved = host().constraints, usd.solved_edits(stage)
     outcomes = usd.outcomes_of(stage, path, kinds, solved) if solved else ()
     say("measuring")
-    inputs = [beside_its_input(each, ground, path, program) for each in outcomes]
-    scenes = [shown(each) for each in inputs]
+    beside = (beside_its_input(each, ground, path, program, inputs) for each in outcomes)
+    scenes = [shown(each) for each in beside]
     faults: list[str] = []
     for group in usd.unsolved_edits(stage, solved):
         asked, wrong = _asked(stage, path, group)

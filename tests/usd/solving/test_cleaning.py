@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from pxr import Sdf, Usd, Vt
 
-from usdmotion import Session, cli, demos, pipeline
+from usdmotion import Session, answering, cli, demos, pipeline
 from usdmotion.kernels import from_vector, multiply
 from usdmotion.reporting import report
 
@@ -166,6 +166,21 @@ def test_a_report_is_measured_beside_the_cleaned_input(noisy, tmp_path, given):
     assert not edit.record.stale
     assert all(trace.verdict.met for trace in edit.traces)
     assert "cleaned input" in (tmp_path / "report.html").read_text()
+
+
+def test_an_input_is_cleaned_once_for_an_answer_its_guides_and_its_report(
+    noisy, tmp_path, monkeypatch
+):
+    calls, cleaned = [], answering.cleaned
+    monkeypatch.setattr(answering, "cleaned", lambda *given: calls.append(1) or cleaned(*given))
+    layer, guides, page = (tmp_path / each for each in ("edit.usda", "guides.usda", "page.html"))
+    pipeline.solve(noisy, layer, guides=guides, page=page)
+    at_once = guides.read_bytes(), page.read_bytes()
+    assert len(calls) == 1
+    pipeline.guides(layer, guides, shot=noisy)
+    report(layer, page, shot=noisy)
+    assert (guides.read_bytes(), page.read_bytes()) == at_once
+    assert len(calls) == 3
 
 
 def test_the_command_line_cleans_where_it_is_asked_to(noisy, tmp_path, monkeypatch, capsys):
