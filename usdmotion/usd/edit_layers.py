@@ -38,7 +38,7 @@ def read_outcomes(
     """
     files, edits = _files(path, shot, kinds)
     if len(files) > 1:
-        return outcomes_of(_stacked(files), files[-1], kinds, edits)
+        return outcomes_of(stacked(files), files[-1], kinds, edits)
     stage = open_stage(path)
     try:
         require_composed(stage)
@@ -101,7 +101,7 @@ def _is_fresh(
     path: Path, shot: Path, edits: Sequence[str], kinds: Sequence[type[Constraint]]
 ) -> bool:
     """Tell whether a layer was made from what a shot is now."""
-    found = outcomes_of(_stacked((path, shot)), shot, kinds, edits)
+    found = outcomes_of(stacked((path, shot)), shot, kinds, edits)
     return not any(record.stale for each in found for record in each.records)
 
 
@@ -118,7 +118,10 @@ def _require_shot(path: Path, shot: Path, edits: Sequence[str]) -> None:
         )
 
 
-def _stacked(files: Sequence[Path]) -> Usd.Stage:
+def stacked(files: Sequence[Path]) -> Usd.Stage:
     """Return a stage that shows some files, the strongest first, and is read like the last."""
+    stage = open_stage(files[-1])
+    if len(files) == 1:
+        return stage
     paths = [os.path.realpath(each) for each in files]
-    return Usd.Stage.Open(composed(read_facts(open_stage(files[-1])), paths))
+    return Usd.Stage.Open(composed(read_facts(stage), paths))

@@ -39,9 +39,7 @@ def read_triangles(prim: Usd.Prim, time_codes: Floats, facts: Facts) -> tuple[Fl
     """
     if is_a(prim, "UsdGeomMesh"):
         triangles = fans(prim, time_codes[0])
-        points = _over(
-            prim, ("points",), time_codes, lambda points: np.asarray(points, dtype=float)
-        )
+        points = _over(prim, ("points",), time_codes, _plain)
         _require_points(prim, triangles, points)
     else:
         names, shape = next(each for kind, each in _SHAPES.items() if is_a(prim, kind))
@@ -85,9 +83,9 @@ def fans(prim: Usd.Prim, time_code: float) -> Ints:
     if counts.min(initial=0) < 0 or counts.sum() != len(corners):
         raise SceneError(
             f"<{prim.GetPath()}> has {len(corners)} faceVertexIndices where its faceVertexCounts "
-            f"add up to {counts.sum()}; nobody can stand on it before they fit"
+            f"add up to {counts.sum()}; author them again"
         )
-    firsts = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    firsts = np.cumsum(counts) - counts
     holes = np.isin(np.arange(len(counts)), np.array(value(prim, "holeIndices", ()), dtype=int))
     cuts = np.where(holes, 0, np.maximum(counts - 2, 0))
     first = np.repeat(firsts, cuts)
@@ -122,11 +120,10 @@ def _require_points(prim: Usd.Prim, triangles: Ints, points: Floats) -> None:
     if (
         points.ndim != 3
         or triangles.min(initial=0) < 0
-        or triangles.max(initial=0) >= points.shape[1]
+        or triangles.max(initial=-1) >= points.shape[1]
     ):
         raise SceneError(
-            f"<{prim.GetPath()}> has faces with corners that are no points of it; nobody can stand "
-            "on it before they are"
+            f"<{prim.GetPath()}> has faces with corners that are no points of it; author them again"
         )
     if not np.isfinite(points).all():
         raise SceneError(f"<{prim.GetPath()}> has a point that is not a number; author it again")

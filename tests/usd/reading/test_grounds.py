@@ -156,3 +156,10 @@ def test_what_nobody_can_stand_on_is_refused(ground, body, targets, why):
 def test_a_ground_that_is_asked_for_and_is_not_there_is_refused(ground, path):
     with pytest.raises(SceneError, match=f"there is no prim <{path}> to stand on"):
         ground(quad(), ground=[path])
+
+
+@pytest.mark.parametrize(
+    "body", ['def Mesh "Floor" {}', 'def Mesh "Floor" {\n    point3f[] points = []\n}']
+)
+def test_a_mesh_of_nothing_is_nothing_to_stand_on(ground, body):
+    assert np.isnan(height(ground(body), 0.0, 0.0))

@@ -137,3 +137,12 @@ def test_a_colour_that_is_said_by_indices_counts_as_often_as_it_is_worn(stage):
     colors.SetIndices(Vt.IntArray([0, 0, 0, 1]))
     (seen,) = look(stage)
     np.testing.assert_allclose(seen.color, (0.75, 0.0, 0.25))
+
+
+def test_a_mesh_without_faces_or_without_anything_is_not_seen(stage):
+    UsdGeom.Mesh.Define(stage, "/Nothing")
+    mesh = UsdGeom.Mesh.Define(stage, "/Points")
+    mesh.CreatePointsAttr([(0, 0, 0), (1, 0, 0), (0, 1, 0)])
+    mesh.CreateFaceVertexCountsAttr([])
+    mesh.CreateFaceVertexIndicesAttr([])
+    assert paths(stage) == []

@@ -10,10 +10,10 @@ from pxr import Sdf, Usd, UsdSkel
 
 from usdmotion.errors import SceneError
 from usdmotion.usd.bindings import holder_of
+from usdmotion.usd.edit_layers import stacked
 from usdmotion.usd.relations import bound_animation, is_a, target
 from usdmotion.usd.shot import Facts
 from usdmotion.usd.stages import open_stage, read_facts, require_composed, used_files
-from usdmotion.usd.writing import composed
 
 SideKind = Literal["alone", "before", "after"]
 _EDIT = "usdmotion:result:edit"
@@ -48,7 +48,7 @@ def sides_of(files: Sequence[Path], compare: Path | None = None) -> tuple[Side, 
         SceneError: A stage does not compose.
     """
     shot = files[0]
-    stage = _composing(_stacked(files), shot)
+    stage = _composing(stacked(files), shot)
     if compare is not None:
         return _compared(files, stage, compare)
     results = {
@@ -66,21 +66,12 @@ def sides_of(files: Sequence[Path], compare: Path | None = None) -> tuple[Side, 
     return _side("before", shot, before, results), _side("after", shot, stage, results)
 
 
-def _stacked(files: Sequence[Path]) -> Usd.Stage:
-    """Return a stage that shows some files, the strongest first, and is read like the last."""
-    stage = open_stage(files[-1])
-    if len(files) == 1:
-        return stage
-    paths = [os.path.realpath(each) for each in files]
-    return Usd.Stage.Open(composed(read_facts(stage), paths))
-
-
 def _compared(files: Sequence[Path], stage: Usd.Stage, compare: Path) -> tuple[Side, Side]:
     """Return a shot beside a stage, or beside itself below a layer."""
     shot = files[0]
     other = open_stage(compare)
     if os.path.realpath(shot) not in used_files(other) and _goes_over(other):
-        other = _stacked((compare, *files))
+        other = stacked((compare, *files))
     _composing(other, compare)
     skeletons = [
         str(prim.GetPath())
