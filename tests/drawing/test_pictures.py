@@ -8,7 +8,7 @@ from matplotlib.image import imread
 
 from usdmotion.drawing import drawing, strip_picture
 from usdmotion.drawing.eyes import Camera, Perspective
-from usdmotion.drawing.framing import size, windows
+from usdmotion.drawing.framing import shows, size, windows
 from usdmotion.drawing.strips import Curve, Panel, Patch, Row, Spot, Strip, Surface
 
 UP = np.array((0.0, 1.0, 0.0))
@@ -106,6 +106,27 @@ def test_before_and_after_are_seen_at_one_place():
     turned = Camera.at(np.array((0.0, 0.0, 1.0)), UP, 90.0, 0.0)
     aside = Row("side", (Panel("", turned, surfaces=(square((0.0, 0.0, 5.0), 1.0, RED),)),))
     assert windows([*rows, aside])[:2] == [before, after]
+
+
+@pytest.mark.parametrize("scale", [1e-4, 1e3])
+def test_what_is_small_fills_its_panel_as_what_is_large(scale):
+    usual, other = (
+        windows(strip(Panel("", FRONT, surfaces=(square((0.0, 0.3, 0.0), each, RED),))).rows)
+        for each in (1.0, scale)
+    )
+    (((left, _, right, _),),), (((small_left, _, small_right, _),),) = usual, other
+    assert small_right - small_left == pytest.approx(scale * (right - left))
+
+
+@pytest.mark.parametrize(
+    ("middle", "is_seen"),
+    [((0, 0, -5), True), ((0, 0, 5), False), ((5.9, 0, -5), True), ((7, 0, -5), False)],
+)
+def test_a_panel_shows_what_is_before_its_eye_and_inside_of_its_frame(middle, is_seen):
+    eye = Perspective(np.zeros(3), *np.eye(3), focal=1.0, window=(-1.0, -1.0, 1.0, 1.0))
+    assert shows(Panel("", eye, surfaces=(square(middle, 1.0, RED),))) == is_seen
+    around = square((0.0, 0.0, -5.0), 100.0, RED)
+    assert shows(Panel("", eye, surfaces=(around,)))
 
 
 def test_what_is_behind_the_eye_is_not_drawn():

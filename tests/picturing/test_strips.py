@@ -8,6 +8,7 @@ from usdmotion.asking import Span
 from usdmotion.constraints import ContactConstraint
 from usdmotion.errors import InputError
 from usdmotion.picturing import look_at, strip_of
+from usdmotion.picturing.strips import empty_panels
 from usdmotion.usd import author
 
 ASKED, WRIST = "/Asked/Skeleton", "base/shoulder/elbow/wrist"
@@ -97,6 +98,29 @@ def test_a_camera_shows_its_frame(shots):
     camera = UsdGeom.Camera(stage.GetPrimAtPath("/Camera"))
     assert (right - left) / (top - bottom) == pytest.approx(camera.GetCamera(2.0).aspectRatio)
     assert len({each.beyond for one in strip.rows[0].panels for each in one.surfaces}) == 1
+
+
+def test_a_camera_that_sees_nothing_is_told_of(shots, tmp_path):
+    stage = Usd.Stage.CreateNew(str(tmp_path / "away.usda"))
+    stage.GetRootLayer().subLayerPaths = [str(shots.composed)]
+    moved = stage.OverridePrim("/Camera").GetAttribute("xformOp:translate")
+    moved.Set((0.0, 0.5, 4.0), 2.0)
+    moved.Set((0.0, 0.5, -40.0), 8.0)
+    stage.GetRootLayer().Save()
+    looked = look_at(tmp_path / "away.usda", frames=ENDS, camera="/Camera")
+    (note,) = empty_panels(looked, strip_of(looked))
+    assert note.startswith("nothing that is drawn is before </Camera> at 8; ")
+    seen = look_at(shots.composed, frames=ENDS, camera="/Camera")
+    assert empty_panels(seen, strip_of(seen)) == ()
+
+
+def test_stages_with_nothing_in_common_are_told_of(shots, tmp_path):
+    stage = Usd.Stage.CreateNew(str(tmp_path / "other.usda"))
+    UsdGeom.Cube.Define(stage, "/Elsewhere")
+    stage.GetRootLayer().Save()
+    (note,) = look_at(shots.shot, frames=ENDS, compare=tmp_path / "other.usda").notes
+    assert "other.usda has no skeleton and no surface in common with" in note
+    assert not look_at(shots.shot, frames=ENDS, compare=shots.layer).notes
 
 
 def test_telling_frames_are_within_the_clip_and_in_order(shots):

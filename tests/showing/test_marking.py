@@ -1,5 +1,7 @@
 """Marks over a pose: where things are then, what was and will be, and what is missed."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -119,6 +121,22 @@ def test_a_row_before_shows_the_supports_of_the_input(reaching):
     assert balance.supports[FRAME, 0, 1] - balance.supports_before[FRAME, 0, 1] == pytest.approx(
         0.3
     )
+
+
+def test_what_is_drawn_of_a_body_grows_with_it(reaching):
+    given = shown(reaching(0.3))
+    actors = tuple(replace(each, character=_shorter(each.character, 1e-3)) for each in given.actors)
+    (usual,), (small,) = (
+        of_kind(Patch, marks(each, FRAME, after=True))
+        for each in (given, replace(given, actors=actors))
+    )
+    np.testing.assert_allclose(np.ptp(small.points, axis=0), 1e-3 * np.ptp(usual.points, axis=0))
+
+
+def _shorter(character, scale):
+    skeleton = character.skeleton
+    shorter = replace(skeleton, rest_translations=scale * skeleton.rest_translations)
+    return replace(character, skeleton=shorter)
 
 
 def test_a_scene_that_nobody_solved_shows_what_it_asks(reaching):

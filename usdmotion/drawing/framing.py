@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from usdmotion.arrays import Floats
+from usdmotion.drawing.cutting import beside, in_front
 from usdmotion.drawing.eyes import Eye, Window
 from usdmotion.drawing.strips import Curve, Panel, Row, Spot
 
@@ -12,6 +13,8 @@ _PAD = 0.05
 """Room around what is shown, over its size."""
 _TOGETHER = 1.25
 """Panels show the same place where it is not larger than this, over what one of them needs."""
+_FLAT = 1e-3
+"""What has no height is shown in so much of its width, and what has no size in so much [m]."""
 _EMPTY = (-1.0, -1.0, 1.0, 1.0)
 
 
@@ -32,6 +35,20 @@ def windows(rows: Sequence[Row]) -> list[list[Window]]:
                 for panel, window in zip(rows[index].panels, found, strict=True)
             ]
     return framed
+
+
+def shows(panel: Panel) -> bool:
+    """Tell whether some body or surface is in a panel whose eye says what it shows."""
+    eye, window = panel.eye, panel.eye.window
+    if window is None:
+        return bool(panel.bodies or panel.surfaces)
+    for body in panel.bodies:
+        ends = np.stack(body.mannequin.capsules(*body.pose), axis=1)
+        seen = ends[(eye.near(ends) < eye.limit).all(axis=1)]
+        if (~beside(eye.flat(seen), window)).any():
+            return True
+    corners = (in_front(each.points[each.triangles], eye) for each in panel.surfaces)
+    return any((~beside(eye.flat(each), window)).any() for each in corners)
 
 
 def widened(window: Window, width: float, height: float) -> Window:
@@ -101,12 +118,14 @@ def _framed(extents: Sequence[Window | None]) -> list[Window]:
     whole = _union(extents) or _EMPTY
     found = np.array([each or whole for each in extents])
     low, high = found[:, :2], found[:, 2:]
-    size = np.maximum((high - low).max(axis=0), 1e-3)
+    size = (high - low).max(axis=0)
+    least = _FLAT * (float(size.max()) or 1.0)
+    size = np.maximum(size, least)
     middles = 0.5 * (low + high)
     together = np.subtract(whole[2:], whole[:2])
     for axis in range(2):
         if together[axis] <= _TOGETHER * size[axis]:
             middles[:, axis] = 0.5 * (whole[axis] + whole[axis + 2])
-            size[axis] = max(together[axis], 1e-3)
+            size[axis] = max(together[axis], least)
     half = 0.5 * size + _PAD * size.max()
     return [(*(middle - half).tolist(), *(middle + half).tolist()) for middle in middles]

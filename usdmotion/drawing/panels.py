@@ -20,12 +20,16 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.transforms import TransformedBbox
 
-_SQUARE = 0.5
-"""Width of a square of the ground [m]."""
+_SQUARE = 0.3
+"""About how wide a square of the ground is, over the height of a body: half a metre for people."""
+_SQUARES = 8.0
+"""About how many squares are across where there is no body."""
+_STEPS = np.log10((0.5, 1.0, 2.0, 5.0))
 _MOST_SQUARES = 40
 _GRID = "#e1e6ea"
-_BEFORE = 0.3
-"""How much nearer a result is taken to be than it is, where its input is drawn behind it [m]."""
+_BEFORE = 0.17
+"""How much nearer a result is taken to be than it is, where its input is drawn behind it, over the
+height of the body."""
 _THROUGH = 0.28
 """How strong a curve is where a body hides it."""
 _SMALL = 0.06
@@ -80,6 +84,14 @@ class _Drawn:
         return size(self.eye.window)[0] / float(self.eye.size(self.middle))
 
     @property
+    def square(self) -> float:
+        """How wide a square of the ground is, one, two or five of some power of ten [m]."""
+        heights = [_SQUARE * body.mannequin.height for body in self.panel.bodies]
+        about = float(np.log10(max(heights, default=self.across / _SQUARES)))
+        steps = np.floor(about) + _STEPS
+        return float(10.0 ** steps[np.abs(steps - about).argmin()])
+
+    @property
     def fineness(self) -> float:
         """How wide lines and signs are, over how wide they say they are."""
         heights = [body.mannequin.height for body in self.panel.bodies]
@@ -116,7 +128,7 @@ class _Drawn:
         drawn = limbs(body.mannequin, self.eye, body.pose, body.kind, body.number)
         kinds = {each.kind for each in self.panel.bodies}
         if body.kind != "before" and "before" in kinds:
-            lift += _BEFORE
+            lift += _BEFORE * body.mannequin.height
         return replace(drawn, near=drawn.near + lift)
 
     def _through(self) -> None:
@@ -150,13 +162,13 @@ class _Drawn:
 
     def _grid(self, level: float) -> list[Floats]:
         """Return squares on level ground under the middle, as lines."""
-        up, middle = np.array(self.panel.up), self.middle
-        count = min(int(np.ceil(0.75 * self.across / _SQUARE)) + 1, _MOST_SQUARES)
+        up, middle, square = np.array(self.panel.up), self.middle, self.square
+        count = min(int(np.ceil(0.75 * self.across / square)) + 1, _MOST_SQUARES)
         first, second = (np.eye(3)[each] for each in np.argsort(np.abs(up), kind="stable")[:2])
-        steps = _SQUARE * np.arange(-count, count + 1)
+        steps = square * np.arange(-count, count + 1)
         lines = []
         for along, aside in ((first, second), (second, first)):
-            start, beside = (_SQUARE * np.round(middle @ way / _SQUARE) for way in (along, aside))
+            start, beside = (square * np.round(middle @ way / square) for way in (along, aside))
             for step in steps:
                 line = (start + steps)[:, None] * along + (beside + step) * aside + level * up
                 lines += [self.eye.flat(run) for run in pieces(line, self.eye)]

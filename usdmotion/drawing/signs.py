@@ -75,12 +75,15 @@ def _sign(axes: "Axes", spot: Spot, place: Floats, fine: float) -> None:
         _mark(axes, place, "o", 8.0 * fine, face=white, edge=white, width=1.6 * fine)
         _mark(axes, place, "o", 8.0 * fine, face=white, edge=color, width=0.9 * fine)
         _mark(axes, place, _quarters(), 8.0 * fine, face=color, edge=color, width=0.0)
+    elif kind == "missed":
+        # It has to be seen, and to be told from goals without its colour.
+        large = max(fine, 0.7)
+        for edge, width in ((rgb("white", spot.opacity), 4.2), (color, 2.2)):
+            _mark(axes, place, "x", 8.0 * large, face="none", edge=edge, width=width * large)
     else:
-        # What is missed has to be seen.
-        large = 8.5 * max(fine, 0.7) if kind == "missed" else 7.5 * fine
         for edge, width in ((rgb("white", 0.8 * spot.opacity), 2.4), (color, 1.1)):
-            _mark(axes, place, "o", large, face="none", edge=edge, width=width * fine)
-            _mark(axes, place, "+", 1.5 * large, face="none", edge=edge, width=width * fine)
+            _mark(axes, place, "o", 7.5 * fine, face="none", edge=edge, width=width * fine)
+            _mark(axes, place, "+", 11.2 * fine, face="none", edge=edge, width=width * fine)
 
 
 def _mark(

@@ -17,14 +17,16 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-# After Okabe and Ito: told apart with any kind of colour vision, and in grey.
+# After Okabe and Ito, and a red that is darker than their vermillion, which is too near the colour
+# of goals in print: told apart with any kind of colour vision, and in grey.
 BEFORE = "#9aa1a9"
 """The input."""
 AFTER = "#0072b2"
 """The result."""
 COURSE = "#123a57"
 """Of trajectories of the result, which are seen before its body too."""
-MISSED = "#d55e00"
+MISSED = "#c4121f"
+"""Its sign is a cross besides; goals are circles."""
 GOAL = "#e69f00"
 SUPPORT = "#009e73"
 PALE = "#cfe3f1"

@@ -12,7 +12,7 @@ from usdmotion.errors import FileError
 from usdmotion.grounding import Told
 from usdmotion.picturing.looking import Looked, look_at
 from usdmotion.picturing.pictured import Pictured
-from usdmotion.picturing.strips import strip_of
+from usdmotion.picturing.strips import empty_panels, strip_of
 from usdmotion.picturing.views import VIEWS, require_askable
 from usdmotion.terminal import write_bytes
 
@@ -79,7 +79,7 @@ def picture(
         frames=tuple(looked.codes.tolist()),
         rows=tuple(row.title for row in strip.rows),
         skeletons=tuple(dict.fromkeys(body.character.path for body in bodies)),
-        notes=looked.notes,
+        notes=(*looked.notes, *empty_panels(looked, strip)),
     )
 
 

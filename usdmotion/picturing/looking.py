@@ -79,12 +79,12 @@ def look_at(
     say("looking")
     looks = [look(side, codes, own) for side, (own, _) in zip(sides, contacts, strict=True)]
     sceneries = tuple(scenery for scenery, _ in looks)
-    notes = (*found.notes, *(note for _, told in (*contacts, *looks) for note in told))
-    if all(each.is_empty for each in sceneries):
-        raise SceneError(
-            f"{stage}: there is nothing to see at {', '.join(f'{code:g}' for code in codes)}: no "
-            "body that an animation moves, and no surface that is visible"
-        )
+    notes = (
+        *found.notes,
+        *_strangers(sides),
+        *(note for _, told in (*contacts, *looks) for note in told),
+    )
+    _require_something(stage, sceneries, codes)
     return Looked(
         sceneries=sceneries,
         codes=codes,
@@ -116,6 +116,27 @@ def _contacts(side: Side) -> tuple[tuple[ContactMark, ...], tuple[str, ...]]:
         return read_contact_marks(side.stage), ()
     except SceneError as error:
         return (), (f"contacts are not drawn: {side.path}: {error}",)
+
+
+def _strangers(sides: Sequence[Side]) -> tuple[str, ...]:
+    """Return a note where two stages are put beside each other that are not of one shot."""
+    from usdmotion.usd.seeing import in_common
+
+    if len(sides) < 2 or in_common(sides):
+        return ()
+    before, after = sides
+    return (
+        f"{after.path} has no skeleton and no surface in common with {before.path}: the rows show "
+        "two shots and not what became of one",
+    )
+
+
+def _require_something(stage: Path, sceneries: Sequence[Scenery], codes: Floats) -> None:
+    if all(each.is_empty for each in sceneries):
+        raise SceneError(
+            f"{stage}: there is nothing to see at {', '.join(f'{code:g}' for code in codes)}: no "
+            "body that an animation moves, and no surface that is visible"
+        )
 
 
 def _require_camera(sides: Sequence[Side], camera: str) -> None:

@@ -36,8 +36,8 @@ _SKINS: dict[Kind, tuple[float, float, float]] = {
 """Of a skin that says nothing of its colour, linear, as limbs are drawn."""
 _AT_REST = 1.0 - 1e-6
 """Cosine of half the angle to the rest pose, above which a joint is in it."""
-_MOVED = 1e-3
-"""What stays within this does not move [m]."""
+_MOVED = 0.01
+"""What stays within this, over its size, does not move."""
 _STANDING = (-0.1, 0.45)
 """Whoever's lowest joint is between these, in lengths of a leg, moves on ground of height 0."""
 
@@ -172,9 +172,15 @@ class Scenery:
             for each in row
             if each.path not in first
             or each.points.shape != first[each.path].shape
-            or np.abs(each.points - first[each.path]).max() > _MOVED
+            or _moves(first[each.path], each.points)
         )
         return moving or frozenset(each.path for row in self.surfaces for each in row)
+
+
+def _moves(before: Floats, after: Floats) -> bool:
+    """Tell whether a surface is seen to move, (point_count, 3) both."""
+    size = float(np.ptp(before, axis=0).max(initial=0.0))
+    return bool(np.abs(after - before).max(initial=0.0) > _MOVED * size)
 
 
 def look(

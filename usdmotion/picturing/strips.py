@@ -8,7 +8,9 @@ import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.drawing.eyes import Eye
+from usdmotion.drawing.framing import shows
 from usdmotion.drawing.strips import Mark, Panel, Row, Strip
+from usdmotion.errors import SceneError
 from usdmotion.picturing.looking import Looked
 from usdmotion.picturing.scenery import Scenery, common_ground
 from usdmotion.picturing.views import ahead_of, camera_of
@@ -34,6 +36,17 @@ def strip_of(looked: Looked) -> Strip:
     return Strip(tuple(rows), _caption(looked))
 
 
+def empty_panels(looked: Looked, strip: Strip) -> tuple[str, ...]:
+    """Return a note on the panels of a strip in which nobody and nothing is to be seen."""
+    blind = {panel.title: None for row in strip.rows for panel in row.panels if not shows(panel)}
+    if not looked.camera or not blind:
+        return ()
+    return (
+        f"nothing that is drawn is before <{looked.camera}> at {', '.join(blind)}; look through "
+        "another camera, or name a --view",
+    )
+
+
 def _row(looked: Looked, scenery: Scenery, view: str, ahead: Floats, ground: float | None) -> Row:
     side = scenery.side
     up = side.facts.up
@@ -57,7 +70,10 @@ def _row(looked: Looked, scenery: Scenery, view: str, ahead: Floats, ground: flo
 def _through(side: Side, path: str, code: float) -> Eye:
     from usdmotion.usd.seeing import find_camera, see_through
 
-    return see_through(find_camera(side.stage, path), code, side.facts)
+    try:
+        return see_through(find_camera(side.stage, path), code, side.facts)
+    except SceneError as error:
+        raise SceneError(f"{side.path}: {error}") from error
 
 
 def _marks(looked: Looked, scenery: Scenery, code: float) -> tuple[Mark, ...]:

@@ -37,7 +37,7 @@ def poses(shown: ShownScene, edit: ShownEdit, frames: Sequence[int]) -> Strip:
         rows,
         "The input above, the result below, its right side darker. Crossed circles are goals, as "
         "strong as they are on; lines are trajectories, strong where the effector was; the green "
-        "area is what the centre of mass should be over; orange-red is what is missed.",
+        "area is what the centre of mass should be over; red crosses are what is missed.",
     )
 
 

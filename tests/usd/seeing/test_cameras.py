@@ -74,6 +74,28 @@ def test_what_is_behind_a_camera_is_not_before_it():
     assert seen.near(seen.position - 5.0 * seen.towards) < seen.limit
 
 
+@pytest.mark.parametrize("name", ["focalLength", "horizontalAperture", "verticalAperture"])
+@pytest.mark.parametrize("length", [0.0, -35.0, float("nan")])
+def test_a_camera_that_cannot_be_is_refused(name, length):
+    stage, prim = camera("perspective")
+    prim.GetAttribute(name).Set(length)
+    with pytest.raises(SceneError, match=f"</Rig/Camera>.{name} is .* give it a length above 0"):
+        see_through(prim, 1.0, read_facts(stage))
+
+
+def test_without_perspective_no_focal_length_is_needed():
+    stage, prim = camera("orthographic")
+    prim.GetAttribute("focalLength").Set(0.0)
+    assert see_through(prim, 1.0, read_facts(stage)).window is not None
+
+
+def test_a_camera_that_is_scaled_to_nothing_is_refused():
+    stage, prim = camera("perspective")
+    stage.GetPrimAtPath("/Rig").GetAttribute("xformOp:scale").Set(Gf.Vec3f(0.0))
+    with pytest.raises(SceneError, match="scaled to nothing at 1"):
+        see_through(prim, 1.0, read_facts(stage))
+
+
 def test_who_names_no_camera_is_told_which_there_are():
     stage, _ = camera("perspective")
     with pytest.raises(SceneError, match=r"</Nowhere> is not on the stage; there are </Rig/Camera"):

@@ -88,7 +88,8 @@ def _mark(axes: "Axes", mark: Mark, camera: Camera) -> Floats:
     place = camera.flat(mark.place)
     color = MISSED if mark.missed else GOAL
     if mark.wanted is None:
-        axes.plot(*place, "o", mfc="none", mec=color, ms=8.0, mew=1.5, zorder=8)
+        sign, large = ("x", 2.6) if mark.missed else ("o", 1.5)
+        axes.plot(*place, sign, mfc="none", mec=color, ms=8.0, mew=large, zorder=8)
         return np.array([place])
     if not mark.stands_out:
         axes.plot(*place, "o", color=SUPPORT, ms=4.5, mec="white", mew=0.8, zorder=8)
@@ -96,9 +97,11 @@ def _mark(axes: "Axes", mark: Mark, camera: Camera) -> Floats:
     wanted = camera.flat(mark.wanted)
     axes.plot(*np.stack([place, wanted]).T, color=color, linewidth=1.6, zorder=8)
     axes.plot(*place, "o", color=color, ms=3.2, zorder=9)
-    size = 14 if mark.missed else 11
-    axes.plot(*wanted, "o", mfc="none", mec=color, ms=size * 0.75, mew=1.5, zorder=9)
-    axes.plot(*wanted, "+", color=color, ms=size, mew=1.5, zorder=9)
+    if mark.missed:
+        axes.plot(*wanted, "x", color=color, ms=10.0, mew=2.6, zorder=9)
+    else:
+        axes.plot(*wanted, "o", mfc="none", mec=color, ms=8.0, mew=1.5, zorder=9)
+        axes.plot(*wanted, "+", color=color, ms=11.0, mew=1.5, zorder=9)
     return np.array([place, wanted])
 
 

@@ -9,7 +9,7 @@ from usdmotion.errors import SceneError
 from usdmotion.usd.relations import is_a
 from usdmotion.usd.shot import Facts
 
-_NEAREST = 0.01
+_NEAREST = 1e-4
 """What is nearer to an eye than this is not seen, however near the camera clips [m]."""
 
 
@@ -36,8 +36,12 @@ def see_through(camera: Usd.Prim, time_code: float, facts: Facts) -> Eye:
         camera: A Camera prim.
         time_code: When.
         facts: Units of the stage.
+
+    Raises:
+        SceneError: No camera can be so.
     """
     found = UsdGeom.Camera(camera).GetCamera(Usd.TimeCode(time_code))
+    _require_possible(camera, found, time_code)
     frustum, unit = found.frustum, facts.meters_per_unit
     place = np.array(frustum.GetPosition()) * unit
     axes = (Gf.Vec3d(1, 0, 0), Gf.Vec3d(0, 1, 0), Gf.Vec3d(0, 0, 1))
@@ -50,6 +54,27 @@ def see_through(camera: Usd.Prim, time_code: float, facts: Facts) -> Eye:
     middle = np.array((place @ right, place @ up))
     window = _window(sides * unit + np.tile(middle, 2))
     return Camera(right, up, towards, window, float(place @ towards) - nearest)
+
+
+def _require_possible(prim: Usd.Prim, camera: Gf.Camera, time_code: float) -> None:
+    """Raise if nothing could be seen through a camera, whatever there is."""
+    lengths = {
+        "horizontalAperture": camera.horizontalAperture,
+        "verticalAperture": camera.verticalAperture,
+    }
+    if camera.projection == Gf.Camera.Perspective:
+        lengths["focalLength"] = camera.focalLength
+    for name, length in lengths.items():
+        if not 0.0 < length < np.inf:
+            raise SceneError(
+                f"<{prim.GetPath()}>.{name} is {length:g} at {time_code:g}, and nothing is seen "
+                "through such a camera; give it a length above 0"
+            )
+    if not abs(camera.transform.GetDeterminant()) > 0.0:
+        raise SceneError(
+            f"<{prim.GetPath()}> is scaled to nothing at {time_code:g}, or its transform is no "
+            "number; mend its xformOps"
+        )
 
 
 def _window(sides: Floats) -> Window:

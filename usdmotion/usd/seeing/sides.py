@@ -66,6 +66,19 @@ def sides_of(files: Sequence[Path], compare: Path | None = None) -> tuple[Side, 
     return _side("before", shot, before, results), _side("after", shot, stage, results)
 
 
+def in_common(sides: Sequence[Side]) -> bool:
+    """Tell whether some Skeleton or surface stands on all of some stages by the same path."""
+    found = [
+        {
+            prim.GetPath()
+            for prim in Usd.PrimRange.Stage(side.stage, Usd.TraverseInstanceProxies())
+            if is_a(prim, "UsdSkelSkeleton") or is_a(prim, "UsdGeomGprim")
+        }
+        for side in sides
+    ]
+    return bool(set.intersection(*found))
+
+
 def _compared(files: Sequence[Path], stage: Usd.Stage, compare: Path) -> tuple[Side, Side]:
     """Return a shot beside a stage, or beside itself below a layer."""
     shot = files[0]
