@@ -153,8 +153,8 @@ def add_position_constraint(
     """Make a position constraint with one goal, around a time, in the edit target.
 
     It goes into the edit of the Skeleton, which is made where there is none. It ranks below what is
-    there, and recruits what that lets it. It can be solved as it is: its goal follows a prim, or is
-    an offset to the motion, of nothing until somebody moves it.
+    there, which may keep it from being met, and recruits what that lets it. It can be solved as it
+    is: its goal follows a prim, or is an offset to the motion, of nothing until somebody moves it.
 
     Args:
         stage: The stage.

@@ -10,6 +10,7 @@ from pxr import Sdf, Usd, UsdGeom
 from usdmotion import onstage
 from usdmotion.usd.relations import bound_animation
 from usdmotion.usdview.menu import DESTINATIONS, GROUPS
+from usdmotion.usdview.telling import told_apart
 
 SKELETON = "/Walker/Skeleton"
 EDIT = f"{SKELETON}/Reaching"
@@ -102,7 +103,10 @@ def test_contacts_are_detected_made_templates_and_detected_again(walker, untouch
     contacts = [f"{CONTACTS}/LeftFoot/Contact01", f"{CONTACTS}/RightFoot/Contact01"]
     assert walker.pick("detect", SKELETON, "/Ball") == said  # which does not move
     said = walker.pick("make_template", *contacts)
-    assert said == "the next detection learns from Contact01, Contact01; in the session layer"
+    assert said == (
+        "the next detection learns from LeftFoot/Contact01, RightFoot/Contact01; in the session "
+        "layer"
+    )
     assert all(value(walker, path, "template") for path in contacts)
     assert "contacts on" in walker.pick("detect")
     assert all(value(walker, path, "template") for path in contacts)
@@ -239,6 +243,13 @@ def test_a_fault_is_one_sentence_and_changes_nothing(seat, capsys, verb, untouch
     assert here.pick(verb, *paths).startswith(sentence)
     assert here.stage.GetSessionLayer().empty
     assert capsys.readouterr() == ("", "")
+
+
+def test_what_has_the_same_name_is_told_apart():
+    paths = ("/World/Ann/Bones/Edit", "/World/Bob/Bones/Edit", "/World/Bob/Bones/Other")
+    assert told_apart(paths) == ["Ann/Bones/Edit", "Bob/Bones/Edit", "Other"]
+    assert told_apart(("/Ann/Edit", "/Edit")) == ["Ann/Edit", "Edit"]
+    assert told_apart(()) == []
 
 
 def test_every_item_of_the_menu_is_a_command():

@@ -62,7 +62,7 @@ def make_template(here: Here) -> str:
     contacts = here.selection.contacts
     with here.writing() as (_, place):
         onstage.make_template(here.selection.stage, contacts)
-    names = telling.listed(leaf(path) for path in contacts)
+    names = telling.listed(telling.told_apart(contacts))
     return f"the next detection learns from {names}; in {place}"
 
 
@@ -99,7 +99,7 @@ def show(here: Here) -> str:
     on = not all(onstage.shown(stage, edit) for edit in edits)
     with here.writing() as (_, place):
         onstage.show(stage, edits, on)
-    names = telling.listed(leaf(edit) for edit in edits)
+    names = telling.listed(telling.told_apart(edits))
     return f"{'the result' if on else 'the source'} of {names} is shown; in {place}"
 
 
@@ -147,7 +147,7 @@ def to_layer(here: Here) -> str:
     layer = destinations.put_over(stage, path)
     here.desk.destination, here.desk.layer = destinations.TO_LAYER, path
     along = bool(stage.GetSessionLayer().rootPrims) and here.window.confirm(
-        "The session layer would hide what goes to the file. Move all that it says of prims there?"
+        "The session layer may hide what goes to the file. Move all that it says of prims there?"
     )
     if along:
         destinations.take_along(stage, layer)

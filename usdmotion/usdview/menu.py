@@ -14,7 +14,7 @@ class Item:
     """One command of the menu."""
 
     verb: str
-    """Name of the function in `commands` or `destinations`."""
+    """Name of the function in `commands`."""
     label: str
     """What the menu shows."""
     description: str

@@ -14,6 +14,19 @@ def leaf(path: str) -> str:
     return path.rsplit("/", 1)[-1]
 
 
+def told_apart(paths: Sequence[str]) -> list[str]:
+    """Return last names, each with as many of those above it as tell it from the others."""
+    names = [path.strip("/").split("/") for path in paths]
+    most = max(map(len, names), default=0)
+
+    def told(own: list[str]) -> str:
+        counts = range(1, most + 1)
+        alone = (n for n in counts if sum(each[-n:] == own[-n:] for each in names) == 1)
+        return "/".join(own[-next(alone, most) :])
+
+    return [told(own) for own in names]
+
+
 def counted(count: int, noun: str) -> str:
     """Return how many there are of something."""
     return f"{count or 'no'} {noun}" + ("" if count == 1 else "s")
@@ -39,22 +52,23 @@ def of_report(report: Report, place: str) -> str:
     name = leaf(report.edits[0].path) if len(report.edits) == 1 else several
     missed = [row for row in rows if not row.met]
     count = counted(len(rows), "constraint")
-    told = f"{len(missed)} of {count} missed, {listed(_miss(row) for row in missed)}"
+    misses = map(_miss, missed, told_apart([row.path for row in missed]))
+    told = f"{len(missed)} of {count} missed, {listed(misses)}"
     return noted(f"solved {name}: {told if missed else f'{count} met'}; in {place}", report.notes)
 
 
 def of_detection(report: DetectionReport, place: str) -> str:
     """Return what was found, and where it is."""
-    objects = [leaf(each.object) for each in report.objects]
+    objects = told_apart([each.object for each in report.objects])
     told = f"{counted(report.count, 'contact')} on {listed(objects)}; in {place}"
     return noted(told, report.notes)
 
 
 def of_guides(drawn: GuidesReport, place: str) -> str:
     """Return what was drawn, and where it is."""
-    names = [leaf(name) for edit in drawn.edits for name in edit.missed]
+    names = told_apart([f"{edit.path}/{name}" for edit in drawn.edits for name in edit.missed])
     missed = f", with {listed(names)} in red" if names else ""
-    edits = listed(leaf(edit.path) for edit in drawn.edits)
+    edits = listed(told_apart([edit.path for edit in drawn.edits]))
     return noted(f"drew {edits or 'contacts'}{missed}; in {place}", drawn.notes)
 
 
@@ -73,5 +87,5 @@ def listed(names: Iterable[str], most: int = 3) -> str:
     return ", ".join(known[:most]) + more
 
 
-def _miss(row: ConstraintReport) -> str:
-    return f"{leaf(row.path)} by {amount(row.max, row.unit)} at {row.worst_time:g}"
+def _miss(row: ConstraintReport, name: str) -> str:
+    return f"{name} by {amount(row.max, row.unit)} at {row.worst_time:g}"
