@@ -4,7 +4,7 @@ import pytest
 from pxr import Sdf, Usd
 
 from usdmotion.errors import FileError
-from usdmotion.usdview.destinations import destination, put_over
+from usdmotion.usdview.destinations import choose, destination, put_over
 from usdmotion.usdview.running import Desk
 
 
@@ -24,6 +24,12 @@ def edit(stage, desk):
         attribute.Set(1.0, 15.0)
     assert stage.GetPrimAtPath("/World").GetAttribute("note").GetTimeSamples() == [15.0]
     return place
+
+
+def chosen(stage, file):
+    desk = Desk()
+    choose(stage, desk, str(file))
+    return desk
 
 
 def has_it(layer):
@@ -46,7 +52,7 @@ def test_the_edit_target_that_is_set(stage):
 @pytest.mark.parametrize("ending", ["usda", "usdc"])
 def test_a_file_is_made_shown_and_on_disk_after_each_command(stage, tmp_path, ending):
     file = tmp_path / f"results.{ending}"
-    desk = Desk(destination="to_layer", layer=str(file))
+    desk = chosen(stage, file)
     for _ in range(2):
         assert edit(stage, desk) == str(file)
     layer = Sdf.Layer.OpenAsAnonymous(str(file))
@@ -57,17 +63,28 @@ def test_a_file_is_made_shown_and_on_disk_after_each_command(stage, tmp_path, en
 
 def test_a_file_is_put_over_a_stage_that_is_opened_again(stage, tmp_path):
     file = tmp_path / "results.usda"
-    desk = Desk(destination="to_layer", layer=str(file))
+    desk = chosen(stage, file)
     edit(stage, desk)
     again = Usd.Stage.Open(stage.GetRootLayer(), Sdf.Layer.CreateAnonymous())
     assert not again.GetPrimAtPath("/World").HasAttribute("note")
     edit(again, desk)
 
 
+def test_a_file_is_not_for_another_stage_that_is_opened_then(stage, tmp_path):
+    file = tmp_path / "results.usda"
+    desk = chosen(stage, file)
+    before = file.read_bytes()
+    other = Usd.Stage.CreateNew(str(tmp_path / "other.usda"))
+    other.DefinePrim("/World", "Xform")
+    assert edit(other, desk) == "the session layer"
+    assert desk.destination == "to_session" and file.read_bytes() == before
+    assert not other.GetSessionLayer().subLayerPaths
+
+
 def test_what_is_in_a_file_stays(stage, tmp_path):
     file = tmp_path / "results.usda"
     file.write_text('#usda 1.0\n(\ntimeCodesPerSecond = 60\n)\ndef Scope "Kept" {}\n')
-    edit(stage, Desk(destination="to_layer", layer=str(file)))
+    edit(stage, chosen(stage, file))
     layer = Sdf.Layer.OpenAsAnonymous(str(file))
     assert layer.GetPrimAtPath("/Kept")
     assert layer.ListTimeSamplesForPath("/World.note") == [30.0]  # its own time codes

@@ -144,8 +144,7 @@ def to_layer(here: Here) -> str:
     beside = Path(here.desk.layer or stage.GetRootLayer().realPath or "shot.usda").parent
     path = here.window.choose_file("Results go to", str(beside), SUFFIXES)
     path = path if Path(path).suffix else f"{path}.usda"
-    layer = destinations.put_over(stage, path)
-    here.desk.destination, here.desk.layer = destinations.TO_LAYER, path
+    layer = destinations.choose(stage, here.desk, path)
     along = bool(stage.GetSessionLayer().rootPrims) and here.window.confirm(
         "The session layer may hide what goes to the file. Move all that it says of prims there?"
     )

@@ -20,7 +20,8 @@ TO_SESSION, TO_TARGET, TO_LAYER = "to_session", "to_target", "to_layer"
 def destination(stage: Usd.Stage, desk: Desk) -> Iterator[str]:
     """Let the edits inside go where results go, and yield how that place is called.
 
-    A file is on disk afterwards, and over the stage as long as it is open.
+    A file is on disk afterwards, and over the stage as long as it is open. One that was chosen for
+    another stage is not for this one, whose results go to the session layer again.
 
     Raises:
         FileError: It cannot be read or written.
@@ -28,12 +29,25 @@ def destination(stage: Usd.Stage, desk: Desk) -> Iterator[str]:
     if desk.destination == TO_TARGET:
         yield called(stage.GetEditTarget().GetLayer(), stage)
         return
+    if desk.shot != stage.GetRootLayer().identifier:
+        desk.destination = TO_SESSION
     own = desk.destination == TO_LAYER
     layer = put_over(stage, desk.layer) if own else stage.GetSessionLayer()
     with Usd.EditContext(stage, stage.GetEditTargetForLocalLayer(layer)):
         yield layer.realPath if own else "the session layer"
     if own:
         _save(layer)
+
+
+def choose(stage: Usd.Stage, desk: Desk, path: str) -> Sdf.Layer:
+    """Let results of a stage go to the layer of a file from now on, and return that.
+
+    Raises:
+        FileError: As `put_over` says.
+    """
+    layer = put_over(stage, path)
+    desk.destination, desk.layer, desk.shot = TO_LAYER, path, stage.GetRootLayer().identifier
+    return layer
 
 
 def take_along(stage: Usd.Stage, layer: Sdf.Layer) -> None:

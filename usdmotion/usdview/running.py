@@ -19,6 +19,8 @@ class Desk:
     """Verb of the item of the submenu that is in force."""
     layer: str = ""
     """Path of the layer file that somebody chose."""
+    shot: str = ""
+    """Identifier of the root layer of the stage for which it was chosen."""
     marks: dict[str, Any] = field(default_factory=dict)
     """The actions of the submenu, by verb; empty in older releases."""
     busy: bool = False
