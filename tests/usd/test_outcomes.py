@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pxr import Usd
+from pxr import Sdf, Usd, UsdGeom
 
 from usdmotion import pipeline, usd
 from usdmotion import solved as solved_scenes
@@ -158,3 +158,105 @@ def test_a_flattened_stage_still_has_its_result(solved, tmp_path):
     found, before = outcome(flat), outcome(composed)
     assert np.allclose(errors(found), errors(before), atol=1e-9)
     assert replace(found.records[0], options={}).solver == "prioritized_ik"
+
+
+def shifted(path, folder, offset, scale=1.0):
+    """Return a stage that shows another one at other times."""
+    stage = Usd.Stage.Open(str(path))
+    layer = Sdf.Layer.CreateNew(str(folder / f"at_{offset:g}_{scale:g}.usda"))
+    layer.subLayerPaths = [str(path)]
+    layer.subLayerOffsets[0] = Sdf.LayerOffset(offset, scale)
+    shown = Usd.Stage.Open(layer)
+    for name in ("TimeCodesPerSecond", "FramesPerSecond"):
+        getattr(shown, f"Set{name}")(getattr(stage, f"Get{name}")())
+    UsdGeom.SetStageMetersPerUnit(shown, UsdGeom.GetStageMetersPerUnit(stage))
+    UsdGeom.SetStageUpAxis(shown, UsdGeom.GetStageUpAxis(stage))
+    layer.Save()
+    return Path(layer.realPath)
+
+
+@pytest.mark.parametrize("frames", [None, (3.0, 6.0)])
+@pytest.mark.parametrize("offset", [100.0, -7.0, 0.3])
+def test_a_result_that_is_shown_later_with_its_shot_is_not_stale(solved, tmp_path, offset, frames):
+    _, _, composed, _ = solved(2.0, frames=frames)
+    before, found = outcome(composed), outcome(shifted(composed, tmp_path, offset))
+    assert not found.records[0].stale
+    assert np.allclose(found.scene.time_codes, before.scene.time_codes + offset)
+    assert np.allclose(errors(found), errors(before), atol=1e-9)
+
+
+def test_a_result_that_is_shown_slower_is_stale(solved, tmp_path):
+    _, _, composed, _ = solved()
+    assert outcome(shifted(composed, tmp_path, 0.0, 2.0)).records[0].stale
+
+
+def test_a_result_is_stale_where_only_its_shot_is_shown_later(solved, tmp_path):
+    shot, edit, _, _ = solved()
+    assert outcome(edit, shifted(shot, tmp_path, 100.0)).records[0].stale
+
+
+def hold(rotations):
+    rotations.Set(rotations.Get(5.0), 4.0)
+
+
+def delay(rotations):
+    rotations.Set(rotations.Get(4.0), 4.5)
+    rotations.ClearAtTime(4.0)
+
+
+def lighten(rotations):
+    rotations.GetPrim().GetAttribute("studio:mood").Set(1.0, 5.0)
+
+
+def begin_later(rotations):
+    edit = rotations.GetStage().GetPrimAtPath(EDIT)
+    edit.GetAttribute("usdmotion:range").Set(Sdf.TimeCodeArray([4.0, 7.0]))
+
+
+@pytest.fixture
+def moody(arm_shot):
+    """Return a shot whose source holds more than joints, solved on some of its frames."""
+    shot = arm_shot(0.05)
+    stage = Usd.Stage.Open(str(shot))
+    mood = source_on(stage).CreateAttribute("studio:mood", Sdf.ValueTypeNames.Float)
+    for code in (2.0, 5.0):
+        mood.Set(code / 10.0, code)
+    stage.GetPrimAtPath(EDIT).GetAttribute("usdmotion:range").Set(Sdf.TimeCodeArray([3.0, 7.0]))
+    stage.Save()
+    return shot
+
+
+def source_on(stage):
+    (source,) = (each for each in stage.Traverse() if each.GetTypeName() == "SkelAnimation")
+    return source
+
+
+@pytest.mark.parametrize("change", [None, hold, delay, lighten, begin_later])
+def test_a_result_is_stale_where_what_it_was_made_from_changes_shown_later_or_not(
+    moody, tmp_path, change
+):
+    edit, composed = tmp_path / "arm.edit.usda", tmp_path / "composed.usda"
+    pipeline.solve(moody, edit, compose=composed)
+    if change is not None:
+        stage = Usd.Stage.Open(str(moody))
+        change(source_on(stage).GetAttribute("rotations"))
+        stage.Save()
+    for path in (composed, shifted(composed, tmp_path, 100.0)):
+        assert outcome(path).records[0].stale == (change is not None)
+
+
+def test_one_that_does_not_move_is_stale_where_its_stage_begins_later(arm_shot, tmp_path):
+    shot, edit = arm_shot(0.05), tmp_path / "arm.edit.usda"
+    stage = Usd.Stage.Open(str(shot))
+    for attribute in source_on(stage).GetAttributes():
+        if codes := attribute.GetTimeSamples():
+            value = attribute.Get(codes[0])
+            attribute.Clear()
+            attribute.Set(value)
+    stage.Save()
+    pipeline.solve(shot, edit)
+    assert not outcome(edit).records[0].stale
+    stage.SetStartTimeCode(stage.GetStartTimeCode() + 1.0)
+    stage.SetEndTimeCode(stage.GetEndTimeCode() + 1.0)
+    stage.Save()
+    assert outcome(edit).records[0].stale

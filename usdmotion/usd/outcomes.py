@@ -14,6 +14,7 @@ from usdmotion.motion import Motion
 from usdmotion.outcome import Outcome, Record
 from usdmotion.scene import Edit, Scene
 from usdmotion.usd.characters import read_character
+from usdmotion.usd.clips import own_times
 from usdmotion.usd.origins import depends_on
 from usdmotion.usd.provenance import input_hash, recorded, records
 from usdmotion.usd.reading import read_stage
@@ -31,6 +32,8 @@ class _Found:
     """Which record of which layer tells of it, "" for none."""
     said: Mapping[str, Any]
     """What that says."""
+    offset: Sdf.LayerOffset
+    """From times of the layer that tells of it to those of the stage."""
 
 
 def outcomes_of(
@@ -60,7 +63,7 @@ def outcomes_of(
     outcomes = []
     for group in _groups(list(found.values())):
         said = group[0].said
-        frames = tuple(float(code) for code in said.get("frames", ()))
+        frames = tuple(group[0].offset * float(code) for code in said.get("frames", ()))
         shot = read_stage(
             stage,
             path,
@@ -97,17 +100,17 @@ def _results(stage: Usd.Stage) -> Iterator[_Found]:
     for prim in stage.Traverse():
         relationship = prim.GetRelationship("usdmotion:result:edit")
         if is_a(prim, "UsdSkelAnimation") and relationship:
-            layers = [spec.layer for spec in prim.GetPrimStack()]
             for edit in map(str, relationship.GetTargets()):
-                yield _found(prim, edit, layers)
+                yield _found(prim, edit)
 
 
-def _found(animation: Usd.Prim, edit: str, layers: Sequence[Sdf.Layer]) -> _Found:
-    for layer in layers:
-        for number, said in enumerate(records(recorded(layer))):
+def _found(animation: Usd.Prim, edit: str) -> _Found:
+    for spec, offset in animation.GetPrimStackWithLayerOffsets():
+        for number, said in enumerate(records(recorded(spec.layer))):
             if edit in said.get("hashes", {}):
-                return _Found(animation, edit, f"{number} {layer.identifier}", said)
-    return _Found(animation, edit, "", {})
+                record = f"{number} {spec.layer.identifier}"
+                return _Found(animation, edit, record, said, offset)
+    return _Found(animation, edit, "", {}, Sdf.LayerOffset())
 
 
 def _ground(said: Mapping[str, Any]) -> list[str] | None:
@@ -168,7 +171,13 @@ def _record(shot: Shot, take: Take, edit: Edit, found: _Found) -> Record:
         version=str(value(animation, "usdmotion:result:version", "")),
         options=dict(found.said.get("options", {}).get(edit.path, {})),
         input_hash=str(value(animation, "usdmotion:result:inputHash", "")),
-        hash_now=input_hash(shot, take),
+        hash_now=input_hash(shot, take, _first(animation)),
         shown=bound is not None
         and depends_on(bound, animation.GetStage().GetPrimAtPath(edit.path)),
     )
+
+
+def _first(animation: Usd.Prim) -> float | None:
+    """Return the time code of the first sample of a result, None where it does not move."""
+    codes = own_times(animation)
+    return float(codes[0]) if len(codes) else None

@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 from pxr import Sdf, Vt
 
-from usdmotion.usd.shot import Result, Shot, Take
+from usdmotion.arrays import Floats
+from usdmotion.usd.clips import SLACK
+from usdmotion.usd.shot import Result, Samples, Shot, Take
 
 KEY = "usdmotion"
 """Key of a layer's own data under which it says how it was made."""
@@ -21,6 +23,12 @@ _RECORD = ("version", "solver", "options", "hashes", "frames", "cleaning", "grou
 """What a layer says of results that were made together."""
 _NOT_READ = ("holder", "bound", "folder")
 """Fields of a take that only say where the result goes, or where the files lie."""
+_FACTS = ("meters_per_unit", "up_axis", "time_codes_per_second", "frames_per_second")
+"""What a stage says of itself that a result depends on."""
+_SECONDS = "times"
+"""Name of all fields that hold seconds from the first frame."""
+_CODE_DIGITS, _SECOND_DIGITS = 6, 9
+"""Decimals of times that are told apart: offsets of layers round them."""
 
 
 @cache
@@ -32,11 +40,29 @@ def own_version() -> str:
         return "unknown"
 
 
-def input_hash(shot: Shot, take: Take) -> str:
-    """Return a hash of everything that an edit's result depends on, but for its solver."""
+def input_hash(shot: Shot, take: Take, first: float | None = None) -> str:
+    """Return a hash of everything that an edit's result depends on, but for its solver.
+
+    Time codes count from where the result starts, so that it stays the same where all of it is
+    shown later or earlier.
+
+    Args:
+        shot: What was read.
+        take: How the motion of the edit is stored.
+        first: Time code of the first sample of the result; None is where it would be written.
+    """
+    if first is None:
+        first = _first(take)
+    scene = shot.scene(take.edit)
+    scene = dataclasses.replace(scene, time_codes=_since(first, scene.time_codes))
+    counted: dict[str, object] = {
+        "own": _samples_since(first, take.own),
+        "solved": _samples_since(first, take.solved),
+        "extras": _extras_since(first, take.extras),
+    }
     read = [field.name for field in dataclasses.fields(take) if field.name not in _NOT_READ]
-    given = [shot.facts, shot.scene(take.edit)]
-    return hash_of(given, [getattr(take, name) for name in read])
+    facts = [getattr(shot.facts, name) for name in _FACTS]
+    return hash_of(facts, scene, [counted.get(name, getattr(take, name)) for name in read])
 
 
 def hash_of(*values: object) -> str:
@@ -119,6 +145,37 @@ def _without(record: Mapping[str, Any], edits: Iterable[str]) -> dict[str, Any]:
     return left
 
 
+def _first(take: Take) -> float:
+    """Return the time code of the first sample of a result: the source's own, if it has one."""
+    own, solved = take.own.time_codes, take.solved.time_codes
+    return float(own[0] if len(own) and own[0] < solved[0] - SLACK else solved[0])
+
+
+def _since(first: float, codes: Floats) -> Floats:
+    # Adding nothing makes -0 the same as 0.
+    return np.asarray(np.round(codes - first, _CODE_DIGITS) + 0.0)
+
+
+def _samples_since(first: float, samples: Samples) -> Samples:
+    return dataclasses.replace(samples, time_codes=_since(first, samples.time_codes))
+
+
+def _extras_since(first: float, extras: str) -> str:
+    """Return the text of a layer whose time samples count from a time code."""
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    layer.ImportFromString(extras)
+    paths: list[Sdf.Path] = []
+    layer.Traverse(Sdf.Path.absoluteRootPath, paths.append)
+    for path in paths:
+        codes = layer.ListTimeSamplesForPath(path)
+        values = [layer.QueryTimeSample(path, code) for code in codes]
+        for code in codes:
+            layer.EraseTimeSample(path, code)
+        for code, value in zip(_since(first, np.array(codes)), values, strict=True):
+            layer.SetTimeSample(path, float(code), value)
+    return str(layer.ExportToString())
+
+
 def _feed(digest: Any, value: Any) -> None:
     """Add a value to a digest so that values that differ never add the same bytes."""
     if isinstance(value, np.ndarray):
@@ -126,7 +183,10 @@ def _feed(digest: Any, value: Any) -> None:
         digest.update(np.ascontiguousarray(value).data)
     elif dataclasses.is_dataclass(value):
         digest.update(f"{type(value).__name__};".encode())
-        _feed(digest, {each.name: getattr(value, each.name) for each in dataclasses.fields(value)})
+        held = {each.name: getattr(value, each.name) for each in dataclasses.fields(value)}
+        if _SECONDS in held:
+            held[_SECONDS] = np.round(held[_SECONDS], _SECOND_DIGITS) + 0.0
+        _feed(digest, held)
     elif isinstance(value, Mapping):
         digest.update(f"mapping {len(value)};".encode())
         for key in sorted(value, key=str):
