@@ -2,7 +2,11 @@
 
 from typing import Any
 
-from usdmotion.usd.provenance import joined, records
+import numpy as np
+import pytest
+
+from usdmotion.constraints import TrajectoryConstraint
+from usdmotion.usd.provenance import hash_of, joined, records
 
 
 def solved(*edits: str, by: str) -> dict[str, Any]:
@@ -41,3 +45,15 @@ def test_detections_and_solves_leave_each_other_alone() -> None:
     again = joined(found, {"detection": {"hashes": {"/A/Hand": "y"}}})
     assert again["detection"]["hashes"] == {"/A/Foot": "x", "/A/Hand": "y"}
     assert joined(again, solved("/A", by="two"))["detection"] == again["detection"]
+
+
+@pytest.mark.parametrize("field", ["times", "keys"])
+def test_seconds_that_an_offset_rounds_are_the_same(field):
+    def digest(second):
+        times = {field: (0.0, second)}
+        return hash_of(
+            TrajectoryConstraint(path="/A", skeleton="/B", points=np.zeros((2, 3)), **times)
+        )
+
+    assert digest(1.3) == digest(101.3 - 100.0) == digest(1.3 + 1e-13)
+    assert digest(1.3) != digest(1.3001)

@@ -26,7 +26,7 @@ _NOT_READ = ("holder", "bound", "folder")
 _FACTS = ("meters_per_unit", "up_axis", "time_codes_per_second", "frames_per_second")
 """What a stage says of itself that a result depends on."""
 _SECONDS = "times"
-"""Name of all fields that hold seconds from the first frame."""
+"""Name of fields with seconds from the first frame, beside those that declare their unit."""
 _CODE_DIGITS, _SECOND_DIGITS = 6, 9
 """Decimals of times that are told apart: offsets of layers round them."""
 
@@ -183,10 +183,7 @@ def _feed(digest: Any, value: Any) -> None:
         digest.update(np.ascontiguousarray(value).data)
     elif dataclasses.is_dataclass(value):
         digest.update(f"{type(value).__name__};".encode())
-        held = {each.name: getattr(value, each.name) for each in dataclasses.fields(value)}
-        if _SECONDS in held:
-            held[_SECONDS] = np.round(held[_SECONDS], _SECOND_DIGITS) + 0.0
-        _feed(digest, held)
+        _feed(digest, {each.name: _held(value, each) for each in dataclasses.fields(value)})
     elif isinstance(value, Mapping):
         digest.update(f"mapping {len(value)};".encode())
         for key in sorted(value, key=str):
@@ -201,3 +198,12 @@ def _feed(digest: Any, value: Any) -> None:
     else:
         text = f"{type(value).__name__} {value}".encode()
         digest.update(f"{len(text)};".encode() + text)
+
+
+def _held(value: object, field: dataclasses.Field[Any]) -> object:
+    """Return what a field of a value holds, seconds to the digits that count."""
+    held = getattr(value, field.name)
+    unit = field.metadata.get("attribute", {}).get("unit", "")
+    if field.name == _SECONDS or unit == "time":
+        return np.round(held, _SECOND_DIGITS) + 0.0
+    return held
