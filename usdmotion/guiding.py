@@ -106,7 +106,7 @@ def guides_over(
     return GuidesReport(edits, _objects(contacts), seen.notes)
 
 
-def drawing(
+def guides_for(
     wanted: bool | Path,
     path: Path,
     *,

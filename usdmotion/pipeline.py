@@ -13,8 +13,8 @@ from usdmotion.capture import Capture
 from usdmotion.errors import FileError, InputError
 from usdmotion.grounding import Asked as Ground
 from usdmotion.grounding import told_by
-from usdmotion.guiding import drawing, guides_beside, require_room
 from usdmotion.guiding import guides as guides
+from usdmotion.guiding import guides_beside, guides_for, require_room
 from usdmotion.normalizing import normalize as normalize
 from usdmotion.options import configured
 from usdmotion.picturing import picture as picture
@@ -219,7 +219,7 @@ def solve(
     )
     say(f"writing {output}")
     told, inputs = told_by(ground), session.inputs
-    draw = drawing(guides, shot, ground=told, inputs=inputs, say=say)
+    draw = guides_for(guides, shot, ground=told, inputs=inputs, say=say)
     session.write(output, compose=compose, draw=draw)
     guides_beside(guides, output, shot=shot, ground=told, inputs=inputs, say=say)
     if page is not None:

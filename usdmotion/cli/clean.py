@@ -6,7 +6,6 @@ import typer
 
 from usdmotion.arguments import beside, cutoff_of, frames_of, names_of, options_of, template_of
 from usdmotion.cli.application import app, finish
-from usdmotion.cli.drawing import Drawing, Guides, file_of, guides_of
 from usdmotion.cli.flags import (
     DetectorName,
     Frames,
@@ -19,6 +18,7 @@ from usdmotion.cli.flags import (
     Strict,
     Templates,
 )
+from usdmotion.cli.guides_option import Guides, WithGuides, file_of, guides_of
 from usdmotion.terminal import Terminal
 
 Joints = Annotated[
@@ -34,7 +34,8 @@ Smoothing = Annotated[
 
 
 @app.command(
-    cls=Drawing, epilog="Example: usdmotion clean shot.usda -o shot.clean.usda --report shot.html"
+    cls=WithGuides,
+    epilog="Example: usdmotion clean shot.usda -o shot.clean.usda --report shot.html",
 )
 def clean(
     shot: Source,

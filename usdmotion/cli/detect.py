@@ -6,8 +6,8 @@ import typer
 
 from usdmotion.arguments import beside, duration_of, names_of, options_of, template_of
 from usdmotion.cli.application import app
-from usdmotion.cli.drawing import Drawing, file_of
 from usdmotion.cli.flags import DetectorName, Json, Options, Output, Quiet, Source, Templates
+from usdmotion.cli.guides_option import WithGuides, file_of
 from usdmotion.errors import OptionError
 from usdmotion.terminal import Terminal
 
@@ -41,7 +41,7 @@ NoGuides = Annotated[bool, typer.Option("--no-guides", help="Draw no contacts to
 
 
 @app.command(
-    cls=Drawing,
+    cls=WithGuides,
     epilog="Example: usdmotion detect shot.usda -o shot.contacts.usda --joints wrist,elbow",
 )
 def detect(

@@ -21,7 +21,7 @@ Guides = Annotated[
 ]
 
 
-class Drawing(TyperCommand):
+class WithGuides(TyperCommand):
     """A verb that has the option."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:

@@ -7,8 +7,8 @@ import typer
 
 from usdmotion.arguments import beside, frames_of, names_of, options_of
 from usdmotion.cli.application import app, finish
-from usdmotion.cli.drawing import Drawing, Guides, file_of, guides_of
 from usdmotion.cli.flags import Contacts, Frames, Ground, Json, Options, Output, Quiet, Strict
+from usdmotion.cli.guides_option import Guides, WithGuides, file_of, guides_of
 from usdmotion.terminal import Terminal
 
 Source = Annotated[Path, typer.Argument(help="Normalized motions, or a shot.")]
@@ -35,7 +35,7 @@ SolverName = Annotated[
 
 
 @app.command(
-    cls=Drawing, epilog="Example: usdmotion retarget shot.usda body.usda -o body.shot.usda"
+    cls=WithGuides, epilog="Example: usdmotion retarget shot.usda body.usda -o body.shot.usda"
 )
 def retarget(
     source: Source,

@@ -6,7 +6,6 @@ import typer
 
 from usdmotion.arguments import cutoff_of, frames_of, names_of, options_of
 from usdmotion.cli.application import app, finish
-from usdmotion.cli.drawing import Drawing, Guides, file_of, guides_of
 from usdmotion.cli.flags import (
     Clean,
     Composed,
@@ -22,11 +21,12 @@ from usdmotion.cli.flags import (
     Source,
     Strict,
 )
+from usdmotion.cli.guides_option import Guides, WithGuides, file_of, guides_of
 from usdmotion.terminal import Terminal
 
 
 @app.command(
-    cls=Drawing,
+    cls=WithGuides,
     epilog="Example: usdmotion solve shot.usda -o shot.edit.usda --compose shot.solved.usda",
 )
 def solve(
