@@ -1,36 +1,18 @@
 """The verb `detect`: what it prints, where it writes, and what it refuses in one sentence."""
 
 import json
-import shlex
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from usdmotion import cli
-
 Shot = Callable[..., Path]
 
 
 @pytest.fixture
-def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Callable[..., str]:
-    """Return what runs the verb and returns what it prints, or its complaint."""
-
-    def call(words: str, *, status: int = 0) -> str:
-        monkeypatch.setattr("sys.argv", ["usdmotion", "detect", *shlex.split(words)])
-        with pytest.raises(SystemExit) as ended:
-            cli.main()
-        said = capsys.readouterr()
-        assert (ended.value.code or 0) == status, said.err
-        return said.err if status else said.out
-
-    return call
-
-
-@pytest.fixture
-def arm(arm_shot: Shot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.chdir(tmp_path)
-    return arm_shot(name="arm.usda").relative_to(tmp_path)
+def run(typed: Callable[..., str]) -> Callable[..., str]:
+    """Return what runs the verb."""
+    return lambda words, **asked: typed(f"detect {words}", **asked)
 
 
 def test_contacts_are_shown_and_the_name_that_was_derived_is_printed(

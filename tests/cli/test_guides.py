@@ -1,37 +1,18 @@
 """The verb `guides`, and the option `--guides` of verbs that write."""
 
 import json
-import shlex
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from usdmotion import cli
-
 Run = Callable[..., str]
 
 
 @pytest.fixture
-def run(
-    arm_shot: Callable[..., Path],
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> Run:
-    """Return what runs a verb beside arm.usda, and returns what it prints, or its complaint."""
-    monkeypatch.chdir(tmp_path)
-    arm_shot()
-
-    def call(words: str, *, status: int = 0) -> str:
-        monkeypatch.setattr("sys.argv", ["usdmotion", *shlex.split(words)])
-        with pytest.raises(SystemExit) as ended:
-            cli.main()
-        said = capsys.readouterr()
-        assert (ended.value.code or 0) == status, said.err
-        return said.err if status else said.out
-
-    return call
+def run(typed: Run, arm: Path) -> Run:
+    """Return what runs a verb beside arm.usda."""
+    return typed
 
 
 def test_what_was_drawn_is_shown(run: Run) -> None:

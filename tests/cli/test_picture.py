@@ -1,36 +1,20 @@
 """The verb `picture`: what it draws, where it writes, and what it tells."""
 
 import json
-import shlex
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from usdmotion import cli, pipeline
+from usdmotion import pipeline
 
 Run = Callable[..., str]
 
 
 @pytest.fixture
-def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Run:
-    """Return what runs the verb and returns what it prints, or its complaint."""
-
-    def call(words: str, *, status: int = 0) -> str:
-        monkeypatch.setattr("sys.argv", ["usdmotion", "picture", *shlex.split(words)])
-        with pytest.raises(SystemExit) as ended:
-            cli.main()
-        said = capsys.readouterr()
-        assert (ended.value.code or 0) == status, said.err
-        return said.err if status else said.out
-
-    return call
-
-
-@pytest.fixture
-def arm(arm_shot: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.chdir(tmp_path)
-    return arm_shot(name="arm.usda").relative_to(tmp_path)
+def run(typed: Callable[..., str]) -> Run:
+    """Return what runs the verb."""
+    return lambda words, **asked: typed(f"picture {words}", **asked)
 
 
 def test_a_layer_is_drawn_over_the_shot_beside_it(run: Run, arm: Path) -> None:
