@@ -35,6 +35,43 @@ def Xform "World"
 """A walker on something that sets off halfway, at half his size and other time codes."""
 
 
+WRAPPED = """#usda 1.0
+(
+    metersPerUnit = 0.01
+    upAxis = "Y"
+    timeCodesPerSecond = 24
+    startTimeCode = 1
+    endTimeCode = 400
+)
+def Xform "World"
+{{
+    double3 xformOp:translate.timeSamples = {{ 1: (0, 0, 0), 400: (300, 20, -40) }}
+    float xformOp:rotateY = 70
+    double3 xformOp:scale = (0.5, 0.5, 0.5)
+    uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:rotateY", "xformOp:scale"]
+
+    def "{name}" (
+        references = @{path}@</{name}> (offset = 10; scale = 2)
+    )
+    {{
+    }}
+}}
+"""
+"""Somebody on what moves, smaller and at other time codes."""
+
+
+@pytest.fixture(scope="session")
+def wrapped(tmp_path_factory):
+    """Return what references a prim of a stage below one that moves, and opens that."""
+
+    def run(stage: Usd.Stage, name: str) -> Usd.Stage:
+        path = tmp_path_factory.mktemp("wrapped") / "wrapped.usda"
+        path.write_text(WRAPPED.format(path=stage.GetRootLayer().realPath, name=name))
+        return Usd.Stage.Open(str(path))
+
+    return run
+
+
 @pytest.fixture(scope="session")
 def detected(tmp_path_factory):
     """Return what looks for contacts on a stage and opens what it wrote."""

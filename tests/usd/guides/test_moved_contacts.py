@@ -1,7 +1,5 @@
 """What is held is drawn where the prop is, also where the shot is put somewhere else, and later."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from pxr import Sdf, Usd, UsdGeom
@@ -9,39 +7,15 @@ from pxr import Sdf, Usd, UsdGeom
 OFFSET, SCALE = 10.0, 2.0
 PIPS = 0.15
 """What is marked are corners around a die and its pips, which stand out from it by this."""
-WRAPPED = """#usda 1.0
-(
-    metersPerUnit = 0.01
-    upAxis = "Y"
-    timeCodesPerSecond = 24
-    startTimeCode = 1
-    endTimeCode = 400
-)
-def Xform "World"
-{{
-    double3 xformOp:translate.timeSamples = {{ 1: (0, 0, 0), 400: (300, 20, -40) }}
-    double xformOp:rotateZ = 20
-    double3 xformOp:scale = (3, 3, 3)
-    uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:rotateZ", "xformOp:scale"]
-
-    def "Dice" (
-        references = @{path}@</Dice> (offset = 10; scale = 2)
-    )
-    {{
-    }}
-}}
-"""
 
 
 @pytest.fixture(params=["later", "wrapped"])
-def moved(request, dice, tmp_path):
+def moved(request, dice, wrapped, tmp_path):
     """Return the dice under a layer offset, or referenced by what moves, and what is above them."""
-    made = Path(dice.GetRootLayer().realPath)
     if request.param == "wrapped":
-        (tmp_path / "wrapped.usda").write_text(WRAPPED.format(path=made))
-        return Usd.Stage.Open(str(tmp_path / "wrapped.usda")), "/World"
+        return wrapped(dice, "Dice"), "/World"
     layer = Sdf.Layer.CreateNew(str(tmp_path / "later.usda"))
-    layer.subLayerPaths.append(str(made))
+    layer.subLayerPaths.append(dice.GetRootLayer().realPath)
     layer.subLayerOffsets[0] = Sdf.LayerOffset(OFFSET, SCALE)
     return Usd.Stage.Open(layer), ""
 

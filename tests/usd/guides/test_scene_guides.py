@@ -16,28 +16,6 @@ NEAR = 0.3
 """How far what is drawn may be from what it is drawn of: three millimetres on a grown person."""
 TIMES = (1.0, 30.0, 61.0, 73.0, 92.0, 145.0)
 """Of the walk, as it was made."""
-WRAPPED = """#usda 1.0
-(
-    metersPerUnit = 0.01
-    upAxis = "Y"
-    timeCodesPerSecond = 24
-    startTimeCode = 1
-    endTimeCode = 400
-)
-def Xform "World"
-{{
-    double3 xformOp:translate.timeSamples = {{ 1: (0, 0, 0), 400: (300, 20, -40) }}
-    float xformOp:rotateY = 70
-    double3 xformOp:scale = (0.5, 0.5, 0.5)
-    uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:rotateY", "xformOp:scale"]
-
-    def "Walker" (
-        references = @{path}@</Walker> (offset = 10; scale = 2)
-    )
-    {{
-    }}
-}}
-"""
 
 
 class Seen:
@@ -101,7 +79,7 @@ class Seen:
 
 
 @pytest.fixture(scope="module")
-def walks(reaching, carried, tmp_path_factory):
+def walks(reaching, carried, wrapped, tmp_path_factory):
     """Return the walk as it is, carried, under a layer offset, and referenced by a carrier."""
     folder = tmp_path_factory.mktemp("walks")
     made = Path(reaching.GetRootLayer().realPath)
@@ -109,13 +87,11 @@ def walks(reaching, carried, tmp_path_factory):
     layer.subLayerPaths.append(str(made))
     layer.subLayerOffsets[0] = Sdf.LayerOffset(10.0, 2.0)
     layer.Save()
-    (folder / "wrapped.usda").write_text(WRAPPED.format(path=made))
-    wrapped = Usd.Stage.Open(str(folder / "wrapped.usda"))
     return {
         "plain": Seen(reaching),
         "carried": Seen(carried, "/World/", 10.0, 2.0),
         "later": Seen(Usd.Stage.Open(layer), "/", 10.0, 2.0),
-        "wrapped": Seen(wrapped, "/World/", 10.0, 2.0),
+        "wrapped": Seen(wrapped(reaching, "Walker"), "/World/", 10.0, 2.0),
     }
 
 
