@@ -160,6 +160,15 @@ def test_a_flattened_stage_still_has_its_result(solved, tmp_path):
     assert replace(found.records[0], options={}).solver == "prioritized_ik"
 
 
+_UNEVEN = pytest.param(
+    0.3,
+    marks=pytest.mark.skipif(
+        Usd.GetVersion() < (0, 26, 5),
+        reason="an older USD reads other values where a sample's time is rounded by an offset",
+    ),
+)
+
+
 def shifted(path, folder, offset, scale=1.0):
     """Return a stage that shows another one at other times."""
     stage = Usd.Stage.Open(str(path))
@@ -176,7 +185,7 @@ def shifted(path, folder, offset, scale=1.0):
 
 
 @pytest.mark.parametrize("frames", [None, (3.0, 6.0)])
-@pytest.mark.parametrize("offset", [100.0, -7.0, 0.3])
+@pytest.mark.parametrize("offset", [100.0, -7.0, 0.25, _UNEVEN])
 def test_a_result_that_is_shown_later_with_its_shot_is_not_stale(solved, tmp_path, offset, frames):
     _, _, composed, _ = solved(2.0, frames=frames)
     before, found = outcome(composed), outcome(shifted(composed, tmp_path, offset))
