@@ -10,9 +10,12 @@ from usdmotion.constraints import (
     ContactConstraint,
     DistanceConstraint,
 )
-from usdmotion.kernels import multiply, rotate
+from usdmotion.drawing.strips import Curve
+from usdmotion.drawing.style import GOAL
+from usdmotion.kernels import multiply, rotate, world_points
 from usdmotion.report.findings import findings_of
 from usdmotion.showing import shown, shown_before
+from usdmotion.showing.marking import marks
 from usdmotion.testing import HUMANOID
 
 OFFSET = np.array((0.02, 0.05, 0.01))
@@ -146,6 +149,27 @@ def test_what_is_aimed_at_or_kept_away_from_is_where_it_is(outcome, kind, fields
     asked = ask(outcome, kind, goals=(Goal(path="Lamp", translation=lamp),), **more)
     (mark,) = edit_of(outcome([asked], turns=BENT)).goals
     assert mark.translations == pytest.approx(np.broadcast_to(lamp, (24, 3)))
+
+
+def test_a_distance_is_between_the_points_of_its_joints(outcome):
+    other, point = outcome.token("right_wrist"), np.array((0.0, 0.1, 0.0))
+    asked = ask(outcome, DistanceConstraint, other_joint=other, other_point=point, distance=0.3)
+    given = outcome([asked], lift=0.2, turns=BENT)
+    (link,) = edit_of(given).links
+    found = findings_of(given)
+    for ends, (positions, orientations) in zip(
+        (link.before, link.after), (found.before, found.after), strict=True
+    ):
+        for end, token, beside in zip(
+            (0, 1), (asked.joint, other), (np.zeros(3), point), strict=True
+        ):
+            node = given.scene.cast.index[HUMANOID, token]
+            wanted = world_points(positions[:, node], orientations[:, node], beside)
+            assert ends[:, end] == pytest.approx(wanted)
+    drawn = [
+        m for m in marks(shown(given), 5, after=True) if isinstance(m, Curve) and m.color == GOAL
+    ]
+    assert [np.array_equal(each.points, link.after[5]) for each in drawn] == [True]
 
 
 def test_the_centre_of_mass_is_shown_over_what_a_constraint_names(outcome):

@@ -52,5 +52,6 @@ def apart(carrying: Walk, width: float) -> DistanceConstraint:
 PICTURE = Figure(
     "2005, section 5: one motion of two hands holds nothing, or boxes of three sizes",
     frames=(25.0, 46.0, 63.0),
+    views=("front",),
     answers=tuple(Answer(name.replace("_", " "), variant=name) for name in WIDTHS),
 )

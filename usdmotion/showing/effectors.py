@@ -4,12 +4,13 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from usdmotion.constraints import CenterOfMassConstraint, Constraint
+from usdmotion.arrays import Floats
+from usdmotion.constraints import CenterOfMassConstraint, Constraint, DistanceConstraint
 from usdmotion.motion import WorldPose
 from usdmotion.report.findings import Trace
-from usdmotion.report.places import effector_places, missing
+from usdmotion.report.places import effector_places, left_of, missing
 from usdmotion.scene import Edit, Scene
-from usdmotion.showing.shown import Course, Miss
+from usdmotion.showing.shown import Course, Link, Miss
 
 
 def courses(scene: Scene, edit: Edit, after: WorldPose | None) -> Iterator[Course]:
@@ -41,6 +42,34 @@ def courses(scene: Scene, edit: Edit, after: WorldPose | None) -> Iterator[Cours
             after=None if after is None else effector_places(scene, first, after),
             on=np.any([asked[id(each)].activity > 0.0 for each in asking], axis=0),
         )
+
+
+def links(scene: Scene, edit: Edit, after: WorldPose | None) -> Iterator[Link]:
+    """Yield the points that distances are between, where these are points of joints.
+
+    Args:
+        scene: The scene, with the input.
+        edit: The edit.
+        after: The result as the pose of all nodes; None where nothing is solved yet.
+    """
+    cast = scene.cast
+    for constraint, demand in zip(scene.constraints, scene.demands, strict=True):
+        if constraint not in edit.constraints or not isinstance(constraint, DistanceConstraint):
+            continue
+        if constraint.other_joint:
+            yield Link(
+                path=constraint.path,
+                before=_ends(scene, constraint, (cast.positions, cast.orientations)),
+                after=None if after is None else _ends(scene, constraint, after),
+                activity=demand.activity,
+            )
+
+
+def _ends(scene: Scene, constraint: DistanceConstraint, pose: WorldPose) -> Floats:
+    """Return the two points of a distance in a pose of all nodes [m], (frame_count, 2, 3)."""
+    own = effector_places(scene, constraint, pose)
+    between = next(constraint.tasks(scene.cast))
+    return np.stack([own, own + left_of(between, pose)], axis=1)
 
 
 def misses(scene: Scene, traces: Sequence[Trace], after: WorldPose) -> Iterator[Miss]:

@@ -70,6 +70,11 @@ class _Marking:
             yield from self._course(course)
         if edit.balance is not None:
             yield from self._balance(edit.balance)
+        for link in edit.links:
+            ends = (link.after if self.after and link.after is not None else link.before)[frame]
+            if link.activity[frame] > 0.0:
+                yield Curve(ends, GOAL, 1.6, float(link.activity[frame]), beyond=False)
+                yield from (Spot(end, "held", GOAL) for end in ends)
         missed = [each for each in edit.misses if self.after and each.missed[frame]]
         for goal in edit.goals:
             if goal.activity[frame] > 0.0 and not self._is_missed(goal, missed):

@@ -9,7 +9,7 @@ from usdmotion.report.balance import Balance, balance_of, balancing, mass_center
 from usdmotion.report.feet import footings
 from usdmotion.report.findings import EditFindings, Findings, findings_of
 from usdmotion.scene import Edit, Scene
-from usdmotion.showing.effectors import courses, misses
+from usdmotion.showing.effectors import courses, links, misses
 from usdmotion.showing.goals import goal_marks
 from usdmotion.showing.shown import Actor, BalanceMark, ShownEdit, ShownScene
 
@@ -47,6 +47,7 @@ def _solved(findings: Findings, found: EditFindings) -> ShownEdit:
         solved=True,
         courses=tuple(courses(scene, edit, after)),
         goals=tuple(goal_marks(scene, edit, after)),
+        links=tuple(links(scene, edit, after)),
         misses=tuple(misses(scene, found.traces, after)),
         balance=_balance(scene, edit, found.balance, after, solved=True),
     )
@@ -60,6 +61,7 @@ def _asked(scene: Scene, edit: Edit, before: WorldPose) -> ShownEdit:
         solved=False,
         courses=tuple(courses(scene, edit, None)),
         goals=tuple(goal_marks(scene, edit, before)),
+        links=tuple(links(scene, edit, None)),
         misses=(),
         balance=_balance(scene, edit, found, before, solved=False),
     )

@@ -57,6 +57,20 @@ class Miss:
 
 
 @dataclass(frozen=True, eq=False)
+class Link:
+    """Two points that are to be so far apart."""
+
+    path: str
+    """Path of the constraint."""
+    before: Floats
+    """Both points in the input [m], shape (frame_count, 2, 3)."""
+    after: Floats | None
+    """The same in the result; None where nothing is solved yet."""
+    activity: Floats
+    """0..1, shape (frame_count,)."""
+
+
+@dataclass(frozen=True, eq=False)
 class BalanceMark:
     """The centre of mass over what it is supported by."""
 
@@ -83,6 +97,7 @@ class ShownEdit:
     solved: bool
     courses: tuple[Course, ...]
     goals: tuple[GoalMark, ...]
+    links: tuple[Link, ...]
     misses: tuple[Miss, ...]
     """None of an edit that is not solved."""
     balance: BalanceMark | None
