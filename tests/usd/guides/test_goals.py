@@ -73,3 +73,22 @@ def test_one_that_stays_is_written_once_and_one_that_moves_as_it_moves(
     for frame, code in enumerate(codes):
         middle = place(stage, "Goal/Marker", code).mean(axis=0)
         np.testing.assert_allclose(0.01 * middle, mark.translations[frame], atol=1e-4)
+
+
+def test_a_distance_is_a_line_between_its_joints_as_opaque_as_it_is_active(
+    text, save, solved, guided, skel
+):
+    asked = text.hold(
+        kind="MotionDistanceConstraint",
+        attributes='uniform token usdmotion:otherJoint = "hip/head"\n'
+        "double usdmotion:distance = 2\nuniform timecode[] usdmotion:times = [1, 2, 3, 4]",
+    )
+    result = solved(save(text.man(edit=text.edit(asked)), header=HEADER.format("Y")))
+    stage = guided(result)
+    guide = stage.GetPrimAtPath("/Man/Bones/Edit/Hold/Guides/Distance")
+    opacity = UsdGeom.PrimvarsAPI(guide).GetPrimvar("displayOpacity")
+    for code, share in ((1.0, 0.0), (2.0, 1.0), (3.0, 1.0), (4.0, 0.0)):
+        joints, _ = skel.truth(result, "/Man/Bones", [code])
+        ends = 0.01 * place(stage, "Distance", code)
+        np.testing.assert_allclose(ends, joints[0, [2, 3]], atol=2e-4)
+        assert opacity.Get(code)[0] == pytest.approx(0.1 + 0.9 * share, abs=0.02)

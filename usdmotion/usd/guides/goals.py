@@ -7,11 +7,12 @@ from pxr import Gf, Sdf, UsdGeom, Vt
 
 from usdmotion.arrays import Floats
 from usdmotion.guides import OCTAHEDRON_FACES, Color, octahedron
-from usdmotion.showing.shown import GoalMark
+from usdmotion.showing.shown import GoalMark, Link
 from usdmotion.usd.guides.courses import AFTER_NAME, BEFORE_NAME, MISSED_NAME
 from usdmotion.usd.guides.pages import Page
 from usdmotion.usd.guides.prims import (
     author_color,
+    author_curve,
     author_curves,
     author_mesh,
     author_opacity,
@@ -30,7 +31,8 @@ _FAINT = 0.1
 """Opacity of a goal that is not active, so that it is seen where it will be."""
 _STEP = 0.01
 """How exactly activities and rotations are shown."""
-_TAKEN = (BEFORE_NAME, AFTER_NAME, MISSED_NAME, *OF_CONTACT)
+_DISTANCE = "Distance"
+_TAKEN = (BEFORE_NAME, AFTER_NAME, MISSED_NAME, _DISTANCE, *OF_CONTACT)
 
 
 def draw_goals(page: Page, goals: Sequence[GoalMark]) -> None:
@@ -45,6 +47,14 @@ def draw_goals(page: Page, goals: Sequence[GoalMark]) -> None:
         _draw_goal(page, goal)
 
 
+def draw_link(page: Page, link: Link) -> None:
+    """Draw a line between two points that are to be so far apart, as bright as that is active."""
+    prim = page.item(link.path, _DISTANCE)
+    ends = (link.before if link.after is None else link.after) / page.unit
+    author_curve(prim, page.over_time(ends, page.near), page.width(_LINE), page.color(link.path))
+    _author_activity(page, prim, link.activity)
+
+
 def _draw_goal(page: Page, goal: GoalMark) -> None:
     owner, name = _owner(goal), goal.path.rsplit("/", 1)[-1]
     prim = page.item(owner, f"{name}_" if name in _TAKEN else name)
@@ -57,7 +67,11 @@ def _draw_goal(page: Page, goal: GoalMark) -> None:
     places = page.over_time(goal.translations / page.unit, page.near)
     move(prim, places, rotations, page.near)
     author_color(prim, page.color(owner))
-    opacity = page.over_time(_FAINT + (1.0 - _FAINT) * goal.activity[:, None], _STEP)
+    _author_activity(page, prim, goal.activity)
+
+
+def _author_activity(page: Page, prim: Sdf.PrimSpec, activity: Floats) -> None:
+    opacity = page.over_time(_FAINT + (1.0 - _FAINT) * activity[:, None], _STEP)
     if isinstance(opacity, dict):
         author_opacity(prim, {code: _percent(each) for code, each in opacity.items()})
     else:

@@ -8,10 +8,10 @@ from pxr import Sdf, Usd
 
 from usdmotion.arrays import Floats
 from usdmotion.guides import Color, ContactMark, another
-from usdmotion.showing.shown import ShownEdit, ShownScene
+from usdmotion.showing.shown import Course, Link, Miss, ShownEdit, ShownScene
 from usdmotion.usd.guides.balances import MASS, draw_balance
 from usdmotion.usd.guides.courses import draw_course, draw_miss
-from usdmotion.usd.guides.goals import draw_goals
+from usdmotion.usd.guides.goals import draw_goals, draw_link
 from usdmotion.usd.guides.pages import Page
 from usdmotion.usd.guides.placements import Worlds
 from usdmotion.usd.guides.sheets import Sheet, author_home, is_of_contact, redrawn
@@ -105,6 +105,8 @@ def _draw(drawing: _Drawing) -> None:
     for course in edit.courses:
         draw_course(page, course)
     draw_goals(page, edit.goals)
+    for link in edit.links:
+        draw_link(page, link)
     if edit.balance is not None:
         draw_balance(page, edit.balance)
     for miss in edit.misses:
@@ -114,7 +116,8 @@ def _draw(drawing: _Drawing) -> None:
 def _owners(edit: ShownEdit) -> list[str]:
     """Return the paths of the constraints that something is drawn of, each once."""
     goals = (goal.path.rsplit("/", 1)[0] for goal in edit.goals)
-    others = [*(each.path for each in edit.courses), *(each.path for each in edit.misses)]
+    groups: tuple[tuple[Course | Link | Miss, ...], ...] = (edit.courses, edit.links, edit.misses)
+    others = [each.path for group in groups for each in group]
     balance = [edit.balance.path] if edit.balance and edit.balance.path != edit.path else []
     return list(dict.fromkeys([*others, *goals, *balance]))
 
