@@ -10,12 +10,12 @@ from usdmotion.grounding import Told
 from usdmotion.outcome import Outcome
 from usdmotion.plugins import host
 from usdmotion.report.findings import Findings, findings_of
-from usdmotion.report.moments import telling
 from usdmotion.report.page import Chapter, page
 from usdmotion.report.pictures import drawing, pictures_of, postures_of, require_matplotlib
 from usdmotion.scene import Scene
 from usdmotion.showing import ShownScene, shown
 from usdmotion.showing.poses import poses
+from usdmotion.showing.telling import telling_frames
 from usdmotion.terminal import write_bytes, write_text
 
 __all__ = ["report", "require_matplotlib", "tell"]
@@ -102,7 +102,7 @@ def tell(
 
 def _chapters(found: Findings, scene: ShownScene) -> Iterator[Chapter]:
     for edit, seen in zip(found.edits, scene.edits, strict=True):
-        strip = poses(scene, seen, telling(found, edit))
+        strip = poses(scene, seen, telling_frames(seen, len(found.scene.times)))
         yield Chapter(
             found,
             edit,

@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 
 from usdmotion.asking import Span
 from usdmotion.errors import OptionError
-from usdmotion.picturing.frames import MOST, Clip, asked_for, telling, usual
+from usdmotion.picturing.frames import MOST, asked_for, usual
+from usdmotion.showing.telling import Clip, telling
 
 CLIP = Clip(1.0, 97.0, 1.0)
 codes = st.lists(st.floats(-20.0, 120.0), max_size=12)

@@ -6,7 +6,7 @@ import pytest
 from usdmotion import Goal, OrientationConstraint, PositionConstraint
 from usdmotion.constraints import CenterOfMassConstraint
 from usdmotion.report.findings import findings_of
-from usdmotion.report.moments import MOST, TELLING, marks, moments, telling
+from usdmotion.report.moments import MOST, marks, moments
 from usdmotion.testing import HUMANOID
 
 
@@ -85,25 +85,3 @@ def test_a_turn_wants_no_place(outcome):
     given = outcome([turn])
     (mark,) = marks(findings_of(given), 0)
     assert mark.wanted is None
-
-
-@pytest.mark.parametrize("frame_count", [1, 2, 5, 90])
-def test_a_motion_is_told_from_its_first_to_its_last_frame(outcome, frame_count):
-    given = outcome([reach(outcome, (0.0, 0.1, 0.0))], frame_count=frame_count)
-    findings = findings_of(given)
-    told = telling(findings, findings.edits[0])
-    assert told == sorted(set(told)) and len(told) == min(frame_count, TELLING)
-    assert (told[0], told[-1]) == (0, frame_count - 1)
-
-
-def test_what_is_worst_and_what_is_wanted_for_a_while_is_told(outcome):
-    offset = np.zeros((96, 3))
-    offset[:, 1] = np.where(np.arange(96) == 50, 0.1, 0.0)
-    wrists = [
-        reach(outcome, offset),
-        reach(outcome, np.zeros(3), "right_wrist", times=(0.5, 0.6, 1.0, 1.1)),
-    ]
-    findings = findings_of(outcome(wrists, frame_count=96))
-    told = findings.scene.times[telling(findings, findings.edits[0])]
-    assert findings.scene.times[50] in told
-    assert np.abs(told - 0.8).min() < 0.05

@@ -1,44 +1,20 @@
 """Which frames of a clip are drawn."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from usdmotion.arrays import Floats
 from usdmotion.asking import Span
 from usdmotion.errors import OptionError
+from usdmotion.showing.telling import USUAL, Clip
 
 MOST = 12
 """More panels than this beside each other are too small to see anything."""
-USUAL = 6
-"""How many are drawn where nobody says."""
 _FEWER = {0: 4, 1: USUAL, 2: USUAL, 3: 5, 4: 4}
 _FEWEST = 3
 """The same by how many bodies are in each; a crowd needs room, and so do things that fly about."""
 _SLACK = 1e-6
-
-
-@dataclass(frozen=True)
-class Clip:
-    """When there is something to be seen on a stage, in time codes."""
-
-    first: float
-    last: float
-    step: float
-    """Of one frame."""
-
-    @property
-    def frame_count(self) -> int:
-        """Number of frames."""
-        return int((self.last - self.first) / self.step + _SLACK) + 1
-
-    def snapped(self, codes: Floats) -> Floats:
-        """Return the frames of the clip nearest to some time codes."""
-        frames = np.round((codes - self.first) / self.step)
-        return np.asarray(
-            self.first + self.step * np.clip(frames, 0.0, self.frame_count - 1), dtype=np.float64
-        )
 
 
 def asked_for(asked: Span | Sequence[float], clip: Clip) -> Floats:
@@ -78,36 +54,6 @@ def _require_seen(codes: Floats, count: float, clip: Clip) -> None:
 def usual(body_count: int) -> int:
     """Return how many frames are drawn of some bodies where nobody says."""
     return _FEWER.get(body_count, _FEWEST)
-
-
-def telling(tiers: Sequence[Sequence[float]], clip: Clip, count: int = USUAL) -> Floats:
-    """Return some frames at which it is worth looking.
-
-    Args:
-        tiers: Time codes of what there is to be seen, the most important first; those of one tier
-            are as important as each other.
-        clip: When there is something to be seen.
-        count: How many frames.
-
-    Returns:
-        The start, the end, what is told of, and frames in the widest gaps; ascending.
-    """
-    found = np.unique(np.array([clip.first, clip.snapped(np.array([clip.last]))[0]]))
-    apart = (clip.last - clip.first) / (2.5 * count)
-    for tier in tiers:
-        left = clip.snapped(np.unique(np.array(tier, dtype=np.float64)))
-        while len(left) and len(found) < count:
-            gaps = np.abs(left[:, None] - found).min(axis=1)
-            if gaps.max() <= max(apart, _SLACK):
-                break
-            found = np.sort(np.append(found, left[gaps.argmax()]))
-    while len(found) < min(count, clip.frame_count):
-        widest = int(np.diff(found).argmax())
-        middle = clip.snapped(np.array([0.5 * (found[widest] + found[widest + 1])]))
-        if np.abs(found - middle).min() < _SLACK:
-            break
-        found = np.sort(np.append(found, middle))
-    return found
 
 
 def _of_span(span: Span, clip: Clip) -> Floats:

@@ -12,12 +12,13 @@ from usdmotion.asking import Span
 from usdmotion.errors import InputError, SceneError
 from usdmotion.grounding import Told
 from usdmotion.guides import ContactMark
-from usdmotion.picturing.frames import Clip, asked_for, telling, usual
+from usdmotion.picturing.frames import asked_for, usual
 from usdmotion.picturing.moments import tiers_of
 from usdmotion.picturing.scenery import Scenery, look
 from usdmotion.picturing.views import USUAL, require_askable
 from usdmotion.plugins import host
 from usdmotion.showing import ShownScene
+from usdmotion.showing.telling import Clip, telling
 from usdmotion.surveying import Survey, survey
 
 if TYPE_CHECKING:

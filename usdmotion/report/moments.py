@@ -6,14 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from usdmotion.arrays import Floats
-from usdmotion.quality import runs
 from usdmotion.report.findings import EditFindings, Findings, Trace
 from usdmotion.report.places import effector_places, missing
 
 MOST = 3
 """How many frames are shown because of what is missing there."""
-TELLING = 6
-"""How many frames tell a motion."""
 _APART = 0.25
 """Frames are not shown again that are nearer than this to one that is [s]."""
 
@@ -64,32 +61,6 @@ def moments(findings: Findings, edit: EditFindings) -> list[Moment]:
     changed = int(edit.moved.max(axis=1).argmax())
     if edit.moved[changed].max() > 0.0 and _is_far(times, changed, found):
         found.append(Moment(changed, edit, None))
-    return found
-
-
-def telling(findings: Findings, edit: EditFindings) -> list[int]:
-    """Return the frames that tell what became of an edit, ascending.
-
-    They are the first and the last, those that are worth looking at, those in the middle of what is
-    wanted for a while, and as long as they are few, those in the widest gaps.
-    """
-    times = findings.scene.cast.times
-    apart = min(_APART, float(times[-1]) / (2.0 * TELLING))
-    wanted = [
-        (first + end - 1) // 2
-        for trace in edit.traces
-        if trace.constraint.goals
-        for first, end in runs(trace.plateau & (trace.activity > 0.5))
-    ]
-    found = [0]
-    for frame in (len(times) - 1, *(each.frame for each in moments(findings, edit)), *wanted):
-        near = float(np.abs(times[found] - times[frame]).min())
-        if near > apart and len(found) < TELLING:
-            found.append(frame)
-    found.sort()
-    while len(found) < min(TELLING, len(times)):
-        gap = int(np.diff(found).argmax())
-        found.insert(gap + 1, (found[gap] + found[gap + 1]) // 2)
     return found
 
 

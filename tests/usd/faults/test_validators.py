@@ -126,8 +126,8 @@ def test_what_has_one_remedy_offers_it(stage, put, tmp_path, fault, fixer, spoil
         shot.GetPrimAtPath("/Body/Skeleton").RemoveAppliedSchema("MotionSkeletonAPI")
     context = UsdValidation.ValidationContext(keywords=["UsdMotion"])
     errors = [each for each in context.Validate(shot) if each.GetName() == fault]
-    if not errors[0].GetFixers():
-        pytest.skip("this USD takes no fixers in Python")
+    if Usd.GetVersion() < (0, 26, 11) and not errors[0].GetFixers():
+        pytest.skip("this older USD takes no fixers in Python")
     (remedy,) = errors[0].GetFixersByErrorName()
     assert remedy.name == fixer
     assert not remedy.CanApplyFix(errors[0], Usd.EditTarget(shot.GetSessionLayer()))

@@ -11,6 +11,8 @@ class DuplicateCommandPlugin(Exception):
 
 
 class PluginContainer:
+    """What plugins derive from; usdview's own raises too, so that who overrides nothing is seen."""
+
     def deferredImport(self, moduleName):
         raise NotImplementedError
 
